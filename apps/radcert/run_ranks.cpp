@@ -17,6 +17,7 @@
 #include "output.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/interrupt.h"
+#include "watched_process.h"
 
 namespace radcert::app {
 namespace {
@@ -41,11 +42,11 @@ std::size_t launched_ranks() {
   return 0;
 }
 
-/// Whether this is the rank that speaks, before MPI has begun.
-bool is_launched_first() {
+/// The number of this rank, before MPI has begun.
+std::string launched_rank() {
   for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"})
-    if (const char* text = std::getenv(name)) return std::string_view(text) == "0";
-  return true;
+    if (const char* text = std::getenv(name)) return text;
+  return "0";
 }
 
 /// The options of PETSc, which are taken from the command line.
@@ -89,8 +90,11 @@ BeginRanks function_of_module() {
 const Ranks& ranks() { return run() ? *run() : one_rank(); }
 
 void RunRanks::begin(int& argc, char** argv) {
-  if (is_launched()) take_no_terminal();
-  if (is_launched() && !is_launched_first()) be_silent();
+  if (is_launched()) {
+    go_on_watched("rank " + launched_rank());
+    take_no_terminal();
+    if (launched_rank() != "0") be_silent();
+  }
   const std::vector<std::string> options = options_of_petsc(argc, argv);
   if (!is_launched()) {
     if (options.empty()) return;

@@ -111,6 +111,29 @@ struct Folder {
   Folder& operator=(const Folder&) = delete;
 };
 
+TEST(StoredLevels, ComputeAgainWhereNodesAndElementsAreWantedAndWereNotKept) {
+  const Folder folder;
+  ResultStore store(folder.path);
+  const auto solve = [](bool fields) {
+    return [fields](const Problem&, int) {
+      LevelOutcome level = test::sample_level();
+      if (fields) return level;
+      return LevelOutcome{.result = level.result, .timing = level.timing, .nodes = {}, .elements = {}};
+    };
+  };
+  const auto computed = [&](bool fields) {
+    StoredLevels levels(store, solve(fields), {.fields = fields});
+    const LevelOutcome found = levels.level(test::sample_problem(), 0);
+    EXPECT_TRUE(!fields || !found.is_without_fields());
+    return levels.computed();
+  };
+  EXPECT_EQ(computed(false), 1U);
+  EXPECT_EQ(computed(false), 0U);
+  EXPECT_EQ(computed(true), 1U);
+  EXPECT_EQ(computed(false), 0U);
+  EXPECT_EQ(computed(true), 0U);
+}
+
 TEST(StoredLevels, KeepNothingOfAFunctionWithoutAFormula) {
   const Folder folder;
   ResultStore store(folder.path);

@@ -144,8 +144,14 @@ class Ranks(ProgramTest):
                 done.pop(key, None), alone.pop(key, None)
             self.assertEqual(done, alone)
 
-    def job_with_a_signal(self, rank, signum):
-        """Begins a job of three ranks and sends one of them a signal once level 3 is done; gives the code and what was said."""
+    @staticmethod
+    def children(process):
+        with open(f"/proc/{process}/task/{process}/children", encoding="ascii") as file:
+            return [int(word) for word in file.read().split()]
+
+    def job_with_a_signal(self, rank, signum, watched=True):
+        """Begins a job of three ranks and sends one of them, or what watches it, a signal once level 3 is done; gives the
+        code and what was said."""
         self.write("problem.json", {**shared(), "triangulation": {"levels": [2, 3, 4]}})
         own = ["--allow-run-as-root"] if os.geteuid() == 0 else []
         with subprocess.Popen([MPIRUN, *own, "--oversubscribe", "-n", "3", RADCERT, "solve", "problem.json", "--fresh"],
@@ -155,20 +161,21 @@ class Ranks(ProgramTest):
             while b"level 3:" not in said:
                 said = job.stderr.readline()
                 self.assertTrue(said)
-            with open(f"/proc/{job.pid}/task/{job.pid}/children", encoding="ascii") as file:
-                ranks = file.read().split()
-            os.kill(int(ranks[rank]), signum)
+            watching = self.children(job.pid)[rank]
+            os.kill(self.children(watching)[0] if watched else watching, signum)
             said = job.communicate(timeout=60)[1]
         return job.returncode, said
 
     def test_an_interruption_of_one_rank_ends_all_with_one_message(self):
-        code, said = self.job_with_a_signal(2, signal.SIGINT)
-        self.assertEqual(code, 130)
-        self.assertEqual(said.count(b"radcert: interrupted"), 1, said)
+        for watched in (True, False):
+            code, said = self.job_with_a_signal(2, signal.SIGINT, watched)
+            self.assertEqual(code, 130)
+            self.assertEqual(said.count(b"radcert: interrupted"), 1, said)
 
     def test_a_job_that_loses_a_rank_ends_and_goes_on_when_begun_again(self):
-        code, _ = self.job_with_a_signal(1, signal.SIGKILL)
-        self.assertNotEqual(code, 0)
+        code, said = self.job_with_a_signal(1, signal.SIGKILL)
+        self.assertEqual(code, 3)
+        self.assertEqual(said.count(b"radcert: rank 1 was ended by signal 9 (Killed)"), 1, said)
         done = self.expect_ranks(2, 0, "solve", "problem.json", "--json", "again.json")
         self.assertIn(b"found in the store", done.stderr)
         self.expect(0, "solve", "problem.json", "--fresh", "--json", "alone.json")

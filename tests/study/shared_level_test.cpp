@@ -32,10 +32,11 @@ Problem on_ellipsoid() {
                                 Rational(1, 6)));
 }
 
-LevelOutcome solved_by(std::size_t count, const Problem& problem, int level) {
+LevelOutcome solved_by(std::size_t count, const Problem& problem, int level, bool fields = true) {
   LevelOutcome outcome;
   ThreadRanks::run(count, [&](const Ranks& ranks) {
-    LevelOutcome own = solve_level(problem, level, reference::applied_operator, ranks);
+    LevelOutcome own =
+        solve_level(problem, level, reference::applied_operator, {.ranks = ranks, .fields = fields});
     if (ranks.is_first()) {
       outcome = std::move(own);
     } else {
@@ -52,6 +53,23 @@ void expect_equal(const std::optional<Approximation>& a, const std::optional<App
   EXPECT_EQ(a->radius, b->radius);
 }
 
+void expect_same_numbers(const LevelResult& a, const LevelResult& b) {
+  EXPECT_EQ(a.elements, b.elements);
+  EXPECT_EQ(a.unknowns, b.unknowns);
+  EXPECT_EQ(a.mesh_size, b.mesh_size);
+  EXPECT_EQ(a.solution_radius, b.solution_radius);
+  EXPECT_EQ(a.norm_K.value, b.norm_K.value);
+  EXPECT_EQ(a.iteration->error_bound, b.iteration->error_bound);
+  for (const auto figure : {&LevelResult::discretisation_error, &LevelResult::node_error,
+                            &LevelResult::uniform_error, &LevelResult::l2_error, &LevelResult::mean_error})
+    expect_equal(a.*figure, b.*figure);
+  ASSERT_EQ(a.piece_means.size(), b.piece_means.size());
+  for (std::size_t i = 0; i < a.piece_means.size(); ++i) {
+    EXPECT_EQ(a.piece_means[i].first, b.piece_means[i].first);
+    expect_equal(a.piece_means[i].second, b.piece_means[i].second);
+  }
+}
+
 TEST(SharedLevel, HasTheBitsOfOneProcess) {
   std::vector<Problem> problems = {with_solution(on_ellipsoid(), "exp(x/2) + y*z"),
                                    with_emission(on_ellipsoid(), "1 + x")};
@@ -63,15 +81,7 @@ TEST(SharedLevel, HasTheBitsOfOneProcess) {
       const LevelOutcome many = solved_by(count, problem, 2);
       EXPECT_EQ(many.shared->ranks, count);
       EXPECT_GT(many.shared->bytes_sent, 0U);
-      EXPECT_EQ(many.result.elements, one.result.elements);
-      EXPECT_EQ(many.result.unknowns, one.result.unknowns);
-      EXPECT_EQ(many.result.mesh_size, one.result.mesh_size);
-      EXPECT_EQ(many.result.solution_radius, one.result.solution_radius);
-      EXPECT_EQ(many.result.norm_K.value, one.result.norm_K.value);
-      EXPECT_EQ(many.result.iteration->error_bound, one.result.iteration->error_bound);
-      expect_equal(many.result.discretisation_error, one.result.discretisation_error);
-      expect_equal(many.result.node_error, one.result.node_error);
-      expect_equal(many.result.uniform_error, one.result.uniform_error);
+      expect_same_numbers(many.result, one.result);
       ASSERT_EQ(many.nodes.size(), one.nodes.size());
       for (std::size_t i = 0; i < one.nodes.size(); ++i) {
         EXPECT_EQ(many.nodes[i].u_n.value, one.nodes[i].u_n.value) << count << " node " << i;
@@ -79,6 +89,19 @@ TEST(SharedLevel, HasTheBitsOfOneProcess) {
       }
       EXPECT_EQ(many.elements.size(), one.elements.size());
     }
+  }
+}
+
+TEST(SharedLevel, HasItsNumbersWithoutAnybodyHavingAllOfIt) {
+  // More than one piece, some on a rank alone.
+  Problem problem = in_clusters(with_basis(sample_problem("cube"), 1, Rational(1, 6)));
+  problem = with_solution(problem, "exp(x + y + z)");
+  const LevelOutcome one = solve_level(problem, 3, reference::applied_operator);
+  for (const std::size_t count : {2, 5}) {
+    const LevelOutcome many = solved_by(count, problem, 3, false);
+    expect_same_numbers(many.result, one.result);
+    EXPECT_TRUE(many.is_without_fields());
+    EXPECT_TRUE(many.elements.empty());
   }
 }
 
@@ -107,15 +130,15 @@ TEST(SharedLevel, GoesOnFromWhatOtherRanksHaveKept) {
     memory.left = stop;
     EXPECT_THROW(ThreadRanks::run(3,
                                   [&](const Ranks& ranks) {
-                                    static_cast<void>(
-                                        solve_level(problem, 2, reference::applied_operator, ranks, &memory));
+                                    static_cast<void>(solve_level(problem, 2, reference::applied_operator,
+                                                                  {.ranks = ranks}, &memory));
                                   }),
                  Interrupted)
         << stop;
     LevelOutcome outcome;
     // Ku is not computed again.
     ThreadRanks::run(2, [&](const Ranks& ranks) {
-      LevelOutcome own = solve_level(problem, 2, no_route, ranks, &memory);
+      LevelOutcome own = solve_level(problem, 2, no_route, {.ranks = ranks}, &memory);
       if (ranks.is_first()) outcome = std::move(own);
     });
     EXPECT_EQ(outcome.result.iteration->iterations, whole.result.iteration->iterations) << stop;

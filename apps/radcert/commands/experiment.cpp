@@ -156,7 +156,8 @@ ExitCode run_experiment(const Common& common, const ExperimentOptions& options) 
   require_same_named_files(problems);
   say(notes_on_meshes(problems));
   ResultStore store = common.store();
-  StoredLevels levels(store, solve_with(reference::applied_operator, memory, ranks(), &store), ranks());
+  const LevelSharing sharing{.ranks = ranks(), .fields = false};
+  StoredLevels levels(store, solve_with(reference::applied_operator, memory, sharing, &store), sharing);
   const Finished finished = solve_all(experiment, options.experiment, levels, common.quiet);
   const std::size_t asked = level_count(experiment);
   if (finished.levels < asked) return interrupted(finished.levels, asked, store);
@@ -201,7 +202,8 @@ void add_experiment(Program& program) {
       "on.\n"
       "scoreboard: all methods and bases on five problems with known or enclosed solutions, with the "
       "frontier of "
-      "those that nothing\nbeats; --out then writes scoreboard.json, .csv and .html, timing.csv and plots.");
+      "those that nothing\nbeats; --out then writes scoreboard.json, .csv and .html, timing.csv and plots.\n"
+      "Under mpirun ranks share the work; --petsc, and options of PETSc after it, may be the last words.");
   command.runs([&common = program.common(), options] { return run_experiment(common, *options); });
 }
 

@@ -351,7 +351,7 @@ void add_factors(Program& program) {
       "limit "
       "of work does not settle widens the radius: look at it.\n"
       "Rows that are finished are kept in $RADCERT_STORE, else ~/.cache/radcert: an interrupted run goes on "
-      "there.\n"
+      "there.\nUnder mpirun ranks share them.\n"
       "The exit code is 1 where rows of a closed scene do not sum to 1 within their radius, where a row's "
       "radius is above "
       "an --accuracy that was given, and with --compare where a pair differs.");

@@ -83,6 +83,11 @@ Outputs checked_outputs(const Common& common, const SolveOptions& options) {
   return outputs;
 }
 
+/// Whether something is written that has the values at nodes or elements.
+bool takes_fields(const SolveOptions& options) {
+  return !options.nodes.empty() || !options.vtu.empty() || !options.ply.empty() || !options.out.empty();
+}
+
 /// The entries of the matrix at a level, in units of those at level 0: four times the unknowns from level to
 /// level.
 double work(int level) { return std::pow(16.0, level); }
@@ -421,7 +426,8 @@ ExitCode solve(const Common& common, const SolveOptions& options) {
   const PointsWish wish = points_wish(options, outputs, problem);
 
   ResultStore store = common.store();
-  StoredLevels levels(store, solve_with(reference::applied_operator, memory, ranks(), &store), ranks());
+  const LevelSharing sharing{.ranks = ranks(), .fields = takes_fields(options) || !wish.is_empty()};
+  StoredLevels levels(store, solve_with(reference::applied_operator, memory, sharing, &store), sharing);
   const std::vector<LevelOutcome> finished =
       with_source(input.source, [&] { return solve_levels(problem, levels, common.quiet); });
   const std::size_t asked = problem.triangulation.levels.size();
@@ -540,6 +546,7 @@ void add_solve(Program& program) {
       "s/2^k apart, those of {\"uniform\": n} 4^k n. Reflections that would grow without end are refused "
       "with "
       "exit code 1.\n"
+      "Under mpirun ranks share the work; --petsc, and options of PETSc after it, may be the last words.\n"
       "Finished levels are kept in $RADCERT_STORE, else ~/.cache/radcert.");
   command.runs([&common = program.common(), options] { return solve(common, *options); });
 }

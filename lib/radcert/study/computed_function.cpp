@@ -8,18 +8,13 @@
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/study/errors/mean_errors.h"
-#include "radcert/surface/chart_pieces.h"
+#include "radcert/study/errors/piece_sums.h"
 #include "radcert/surface/surface_function.h"
 
 namespace radcert {
 namespace {
 
 constexpr int sample_degree = 8;
-
-struct AreaAndIntegral {
-  double area = 0;
-  double integral = 0;
-};
 
 std::vector<Barycentric<double>> error_sample() {
   constexpr double whole = sample_degree;
@@ -48,23 +43,7 @@ double largest_over_sample(const ComputedFunction& u_n, const Look& look) {
     return largest;
   };
   const auto larger = [](double a, double b) { return std::isnan(a) || a >= b ? a : b; };
-  return parallel_reduce_ordered(count, default_grain(count), 0.0, largest_of, larger);
-}
-
-AreaAndIntegral over_element(const ComputedFunction& u_n, std::size_t k, const TriangleRule<double>& rule,
-                             const std::function<double(std::size_t, const Barycentric<double>&)>& value) {
-  const ParameterTriangle& triangle = u_n.triangulation.triangles[k];
-  const double parallelogram =
-      cross(triangle.vertices[1] - triangle.vertices[0], triangle.vertices[2] - triangle.vertices[0]);
-  const ChartIn<double>& chart = u_n.surface.charts[triangle.chart].in<double>();
-  AreaAndIntegral found;
-  for (std::size_t q = 0; q < rule.weights.size(); ++q) {
-    const double weight =
-        rule.weights[q] * parallelogram * area_element(chart.frame(triangle.at(rule.points[q].x)));
-    found.area += weight;
-    found.integral += weight * value(k, rule.points[q]);
-  }
-  return found;
+  return u_n.ranks.largest(parallel_reduce_ordered(count, default_grain(count), 0.0, largest_of, larger));
 }
 
 std::vector<ElementValue> element_values(const ComputedFunction& u_n) {
@@ -110,24 +89,28 @@ void require_values(const ComputedFunction& u_n) {
 }
 
 std::vector<std::pair<std::string, Approximation>> piece_means(const ComputedFunction& u_n, int order) {
-  const std::vector<ParameterTriangle>& triangles = u_n.triangulation.triangles;
   const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
-  std::vector<AreaAndIntegral> by_element(triangles.size());
-  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
-    const auto value = u_n.evaluator();
-    for (std::size_t k = begin; k < end; ++k) by_element[k] = over_element(u_n, k, rule, value);
+  const auto sums = piece_sums<2>(u_n, [&](const auto& value, std::size_t k) {
+    const ParameterTriangle& triangle = u_n.triangulation.triangles[k];
+    const auto& v = triangle.vertices;
+    const double parallelogram = cross(v[1] - v[0], v[2] - v[0]);
+    const ChartIn<double>& chart = u_n.surface.charts[triangle.chart].in<double>();
+    std::array<double, 2> found{};
+    auto& [area, integral] = found;
+    for (std::size_t q = 0; q < rule.weights.size(); ++q) {
+      const double weight =
+          rule.weights[q] * parallelogram * area_element(chart.frame(triangle.at(rule.points[q].x)));
+      area += weight;
+      integral += weight * value(k, rule.points[q]);
+    }
+    return found;
   });
   const std::vector<std::string> names = u_n.surface.piece_names();
-  std::vector<AreaAndIntegral> by_piece(names.size());
-  const std::vector<std::size_t> pieces = chart_pieces(u_n.surface);
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    AreaAndIntegral& piece = by_piece[pieces[triangles[k].chart]];
-    piece.area += by_element[k].area;
-    piece.integral += by_element[k].integral;
-  }
   std::vector<std::pair<std::string, Approximation>> means;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    means.emplace_back(names[i], Approximation::without_radius(by_piece[i].integral / by_piece[i].area));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto& [area, integral] = sums[i];
+    means.emplace_back(names[i], Approximation::without_radius(integral / area));
+  }
   return means;
 }
 
@@ -139,16 +122,19 @@ std::vector<Approximation> with_radius(std::span<const double> values, std::opti
   return out;
 }
 
-void describe_level(const Problem& problem, const ComputedFunction& u_n, const NodalValues& values,
-                    int mean_order, LevelOutcome& outcome) {
+void describe_numbers(const Problem& problem, const ComputedFunction& u_n, int mean_order,
+                      LevelResult& result) {
   if (problem.solution) {
-    outcome.result.uniform_error = uniform_error(u_n, *problem.solution);
+    result.uniform_error = uniform_error(u_n, *problem.solution);
     if (const auto errors = mean_errors(u_n, *problem.solution, mean_order, std::nullopt)) {
-      outcome.result.l2_error = errors->l2;
-      outcome.result.mean_error = errors->mean;
+      result.l2_error = errors->l2;
+      result.mean_error = errors->mean;
     }
   }
-  outcome.result.piece_means = piece_means(u_n, mean_order);
+  result.piece_means = piece_means(u_n, mean_order);
+}
+
+void describe_fields(const ComputedFunction& u_n, const NodalValues& values, LevelOutcome& outcome) {
   outcome.elements = element_values(u_n);
   for (std::size_t i = 0; i < values.nodes.size(); ++i)
     outcome.nodes.push_back({.piece = u_n.surface.charts[values.nodes[i].at.chart].facts().piece,
@@ -159,6 +145,12 @@ void describe_level(const Problem& problem, const ComputedFunction& u_n, const N
                              .u_n = values.u_n[i],
                              .emission = values.emission[i],
                              .u = value_at(values.u, i)});
+}
+
+void describe_level(const Problem& problem, const ComputedFunction& u_n, const NodalValues& values,
+                    int mean_order, LevelOutcome& outcome) {
+  describe_numbers(problem, u_n, mean_order, outcome.result);
+  describe_fields(u_n, values, outcome);
 }
 
 }  // namespace radcert

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/core/ranks/ranks.h"
 #include "radcert/quadrature/collocation_point.h"
 #include "radcert/study/study.h"
 #include "radcert/triangulation/triangulation.h"
@@ -18,12 +19,15 @@ namespace radcert {
 /// The computed function u_n on a surface, whatever the method, element by element of a triangulation.
 /// Maths     (k, x) -> u_n(m_k(x)), x barycentric in the element k
 /// Requires  what an evaluator gives refers to what its maker refers to
+/// Result    where several ranks have parts of the elements, the triangulation is the part here, and what is
+///           said of u_n is of all parts; all ranks ask together then
 /// Limits    may have two values on the sides of triangles
 struct ComputedFunction {
   const Surface& surface;
   const Triangulation& triangulation;
   /// Makes a function for the use of one thread.
   std::function<std::function<double(std::size_t element, const Barycentric<double>& x)>()> evaluator;
+  const Ranks& ranks = one_rank();
 };
 
 /// Looks at u_n at the points of every element with barycentric coordinates k/8, |k| = 8: 45 points each,
@@ -57,11 +61,17 @@ struct NodalValues {
   std::span<const double> u;  ///< empty without `solution`
 };
 
-/// The description of u_n that every method gives once it is known.
-/// Maths     uniform_error, mean_errors, piece_means, the values at the nodes, u_n at the elements' corners
-/// Requires  a value a node; `outcome` is of this level
-/// Result    fills these fields of the outcome and no others
+/// What every method says of u_n in numbers: uniform_error, mean_errors and piece_means.
+/// Result    fills these fields of the result of this level and no others
 /// Limits    rounded, not enclosed
+void describe_numbers(const Problem& problem, const ComputedFunction& u_n, int mean_order,
+                      LevelResult& result);
+
+/// The fields of a level: the values at the nodes, and u_n at the elements' corners.
+/// Requires  one rank; a value a node; `outcome` is of this level
+void describe_fields(const ComputedFunction& u_n, const NodalValues& values, LevelOutcome& outcome);
+
+/// Both: the description of u_n that every method gives once it is known.
 void describe_level(const Problem& problem, const ComputedFunction& u_n, const NodalValues& values,
                     int mean_order, LevelOutcome& outcome);
 

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/study.h"
+#include <type_traits>
 
 #include "radcert/core/contract.h"
+#include "radcert/study/study.h"
 
 namespace radcert {
 
-LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route, const Ranks& ranks,
-                         KeptNumbers* kept) {
+LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route,
+                         const LevelSharing& sharing, KeptNumbers* kept) {
   expects(static_cast<bool>(route), "a second route: reference::applied_operator, as a rule");
-  if (const auto* collocation = std::get_if<Collocation>(&problem.method))
-    return solve(problem, *collocation, level, route, ranks, kept);
-  if (!ranks.is_first()) return {};
-  return std::visit([&](const auto& method) { return solve(problem, method, level, route); }, problem.method);
+  const auto by = [&](const auto& method) -> LevelOutcome {
+    if constexpr (std::is_same_v<decltype(method), const Collocation&>) {
+      return solve(problem, method, level, route, sharing, kept);
+    } else {
+      return sharing.ranks.is_first() ? solve(problem, method, level, route) : LevelOutcome();
+    }
+  };
+  return std::visit(by, problem.method);
 }
 
 }  // namespace radcert

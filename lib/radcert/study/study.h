@@ -44,6 +44,13 @@ struct SharedWork {
   std::uint64_t bytes_sent = 0;      ///< the most that a rank sends for a product
 };
 
+/// Who solves a level, and what is wanted of one that several ranks share.
+/// Requires  ranks that outlive what is given this
+struct LevelSharing {
+  const Ranks& ranks = one_rank();
+  bool fields = true;  ///< nodes and elements, which the first rank then holds all
+};
+
 /// Everything that one level leaves.
 struct LevelOutcome {
   LevelResult result;
@@ -51,6 +58,8 @@ struct LevelOutcome {
   std::optional<SharedWork> shared = std::nullopt;  ///< of a level computed now, by several ranks
   std::vector<NodeValue> nodes;
   std::vector<ElementValue> elements;
+  /// Whether nodes and elements were not asked for, or are another rank's.
+  [[nodiscard]] bool is_without_fields() const { return nodes.empty(); }
 };
 
 /// Solves a problem at one level, by its method. Ratios and orders between levels are left empty; see
@@ -66,12 +75,13 @@ struct LevelOutcome {
 ///           Int G = pi within its radius, and where numbers run over the range of double. Ranks that are
 ///           given share a level whose operator is h2, and all of them call this together; any other level is
 ///           the first one's. The outcome is given on the first, with the bits that it has without others,
-///           and is empty elsewhere. Of a level whose operator is h2 Ku and how far the solver has come are
+///           and is empty elsewhere; of a level that is shared without nodes and elements where these are not
+///           wanted, and no rank holds all of anything then. Of a level whose operator is h2 Ku and how far the solver has come are
 ///           kept: who is given what another call for this problem and level has kept goes on from there, to
 ///           the same bits
 /// Limits    radii are estimates, but for a solver that proves; such a one does not take the route
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route,
-                         const Ranks& ranks = one_rank(), KeptNumbers* kept = nullptr);
+                         const LevelSharing& sharing = {}, KeptNumbers* kept = nullptr);
 
 /// The result of finished levels: ratios, orders, fits.
 /// Maths     ratio_k = e_{k-1}/e_k, order_k = log(ratio_k)/log(h_{k-1}/h_k)

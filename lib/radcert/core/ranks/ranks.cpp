@@ -79,6 +79,16 @@ std::vector<double> Ranks::numbers_from_first(std::span<const double> own) const
   return numbers_of({from_first(bytes_of(own))});
 }
 
+std::vector<double> Ranks::carried(std::vector<double> numbers,
+                                   const std::function<void(std::span<double>)>& on) const {
+  for (std::size_t rank = 0; rank < count(); ++rank) {
+    if (rank == here()) on(numbers);
+    if (count() > 1)
+      numbers = numbers_of({gather(rank == here() ? bytes_of(numbers) : std::string_view())[rank]});
+  }
+  return numbers;
+}
+
 const Ranks& one_rank() {
   static const OneRank one;
   return one;

@@ -39,7 +39,9 @@ LevelOutcome StoredLevels::kept_or_computed(const Problem& problem, int level) {
   std::optional<LevelOutcome> kept;
   if (is_told && ranks_->is_first())
     if (const std::optional<std::string> text = store_->get(key))
-      if (Outcome<LevelOutcome> outcome = read_level_record(*text)) kept = std::move(outcome).value();
+      if (Outcome<LevelOutcome> outcome = read_level_record(*text);
+          outcome && (!fields_ || !outcome->is_without_fields()))
+        kept = std::move(outcome).value();
   if (!ranks_->all(!ranks_->is_first() || !kept)) return std::move(kept).value_or(LevelOutcome());
   LevelOutcome outcome = solve_(problem, level);
   ++computed_;
@@ -55,13 +57,13 @@ LevelOutcome StoredLevels::level(const Problem& problem, int level) {
   return ranks_->is_first() ? std::move(outcome) : read_level_record(record).value();
 }
 
-StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit, const Ranks& ranks,
+StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit, const LevelSharing& sharing,
                                ResultStore* store) {
-  return [route = std::move(route), memory_limit, &ranks, store](const Problem& problem, int level) {
+  return [route = std::move(route), memory_limit, sharing, store](const Problem& problem, int level) {
     check(problem, memory_limit);
-    if (store == nullptr || !is_told_by_its_text(problem)) return solve_level(problem, level, route, ranks);
-    StoredNumbers kept(*store, "on the way\n" + key_of(problem, level, ranks));
-    return solve_level(problem, level, route, ranks, &kept);
+    if (store == nullptr || !is_told_by_its_text(problem)) return solve_level(problem, level, route, sharing);
+    StoredNumbers kept(*store, "on the way\n" + key_of(problem, level, sharing.ranks));
+    return solve_level(problem, level, route, sharing, &kept);
   };
 }
 

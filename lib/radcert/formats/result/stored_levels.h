@@ -27,14 +27,15 @@ public:
 /// Result    a level found in the store is not computed; one that is computed is stored at once, so that an
 ///           interrupted run goes on where it was. computed() counts the computations of this object.
 ///           Of several ranks the first one's store decides for all; the others are given its numbers,
-///           without nodes and elements, and their stores are not asked
+///           without nodes and elements, and their stores are not asked. A level that is kept without nodes
+///           and elements is computed again where they are wanted
 /// Limits    a store that is off computes each time, and so does one of a problem with an own_function: its
 ///           text does not say what that is
 class StoredLevels final : public LevelSource {
 public:
   using Solve = std::function<LevelOutcome(const Problem& problem, int level)>;
-  StoredLevels(ResultStore& store, Solve solve, const Ranks& ranks = one_rank())
-      : store_(&store), solve_(std::move(solve)), ranks_(&ranks) {}
+  StoredLevels(ResultStore& store, Solve solve, const LevelSharing& sharing = {})
+      : store_(&store), solve_(std::move(solve)), ranks_(&sharing.ranks), fields_(sharing.fields) {}
   LevelOutcome level(const Problem& problem, int level) override;
   [[nodiscard]] std::size_t computed() const { return computed_; }
 
@@ -45,12 +46,13 @@ private:
   ResultStore* store_;
   Solve solve_;
   const Ranks* ranks_;
+  bool fields_;
   std::size_t computed_ = 0;
 };
 
 /// solve_level with a route, after check() within so many bytes. With a store, what a level keeps on its way
 /// is kept there, and what another run has kept is found.
 [[nodiscard]] StoredLevels::Solve solve_with(OperatorRoute route, std::uint64_t memory_limit,
-                                             const Ranks& ranks = one_rank(), ResultStore* store = nullptr);
+                                             const LevelSharing& sharing = {}, ResultStore* store = nullptr);
 
 }  // namespace radcert

@@ -5,7 +5,6 @@
 
 #include "radcert/core/files/kept_numbers.h"
 #include "radcert/core/memory_plan.h"
-#include "radcert/core/ranks/ranks.h"
 #include "radcert/study/operator_route.h"
 #include "radcert/study/triangle_basis_choice.h"
 
@@ -13,6 +12,7 @@ namespace radcert {
 
 struct Problem;
 struct LevelOutcome;
+struct LevelSharing;
 
 /// Collocation with functions that are polynomials on each triangle.
 /// Maths     u_n = sum_j u_n(v_j) l_j, (I - P_n K) u_n = P_n E
@@ -45,7 +45,6 @@ void check(const Problem& problem, const Collocation& method, const Surface& sur
 ///           contraction of all matrices within the radii; with `direct`, where there is none, the norm of
 ///           the inverse, N d / (1 - N r) for defects d and row radii r
 [[nodiscard]] LevelOutcome solve(const Problem& problem, const Collocation& method, int level,
-                                 const OperatorRoute& route, const Ranks& ranks = one_rank(),
-                                 KeptNumbers* kept = nullptr);
+                                 const OperatorRoute& route, const LevelSharing& sharing, KeptNumbers* kept);
 
 }  // namespace radcert

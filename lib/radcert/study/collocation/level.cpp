@@ -74,10 +74,11 @@ bool sum_to_one(const TriangleBasisChoice& basis) {
 /// where several share the level.
 class Level {
 public:
-  Level(const Problem& problem, int level, std::optional<LevelClusters> tree, const Ranks& ranks,
+  Level(const Problem& problem, int level, std::optional<LevelClusters> tree, const LevelSharing& sharing,
         KeptNumbers* kept)
       : problem_(problem),
-        ranks_(ranks),
+        ranks_(sharing.ranks),
+        fields_(sharing.fields || problem.iterated),
         kept_(tree ? kept : nullptr),
         tree_(std::move(tree)),
         choice_(triangle_basis_of(problem.method)),
@@ -110,23 +111,15 @@ public:
     find_weights();
     if (problem_.solution) manufacture_emission(route);
     solve();
-    if (is_shared()) {
+    describe_numbers(problem_, NodalFunction(surface_, triangulation_, basis_, u_n_, ranks_),
+                     solution_radius_, outcome_.result);
+    require_finite();
+    if (is_shared())
       outcome_.shared = SharedWork{.ranks = ranks_.count(),
                                    .operator_bytes = largest_count(clusters_->memory().total()),
                                    .bytes_sent = largest_count(clusters_->bytes_sent())};
-      gather();
-    }
+    if (fields_ || !is_shared()) find_fields(route);
     if (!ranks_.is_first()) return {};
-    // All of the geometry again: the description is the first rank's.
-    const std::optional<LevelGeometry> whole =
-        is_shared() ? std::optional<LevelGeometry>(std::in_place, problem_, outcome_.result.level, basis_)
-                    : std::nullopt;
-    const NodedSurface& data = whole ? whole->data() : geometry_.data();
-    describe_collocation(problem_, data, basis_,
-                         {.u_n = with_radius(u_n_, solution_radius_), .emission = emission_, .u = u_},
-                         outcome_);
-    if (problem_.iterated) iterate(data, route);
-    require_finite();
     return std::move(outcome_);
   }
 
@@ -144,10 +137,20 @@ private:
     if (solver_->on_ranks && ranks_.krylov_engine() == nullptr) solver_ = find_linear_solver("gmres");
   }
 
-  /// The values at all nodes, for the first rank.
-  void gather() {
-    for (std::vector<double>* each : {&u_n_, &emission_, &emission_radius_, &u_})
-      *each = ranks_.gather_numbers_at_first(*each);
+  /// The values at the nodes and what follows from them; of all ranks on the first, which has all of the
+  /// geometry then.
+  void find_fields(const OperatorRoute& route) {
+    std::optional<LevelGeometry> whole;
+    if (is_shared()) {
+      for (std::vector<double>* each : {&u_n_, &emission_, &emission_radius_, &u_})
+        *each = ranks_.gather_numbers_at_first(*each);
+      if (!ranks_.is_first()) return;
+      whole.emplace(problem_, outcome_.result.level, basis_);
+    }
+    const NodedSurface& data = whole ? whole->data() : geometry_.data();
+    describe_fields(data, basis_,
+                    {.u_n = with_radius(u_n_, solution_radius_), .emission = emission_, .u = u_}, outcome_);
+    if (problem_.iterated) iterate(data, route);
   }
 
   void assemble_matrix() {
@@ -435,6 +438,7 @@ private:
   static constexpr double unit = unit_roundoff<double>();
   const Problem& problem_;
   const Ranks& ranks_;
+  bool fields_;                        ///< whether they are wanted
   KeptNumbers* kept_;                  ///< or null
   std::optional<LevelClusters> tree_;  ///< where the operator may be one of clusters
   const TriangleBasisChoice& choice_;
@@ -465,7 +469,8 @@ private:
 }  // namespace
 
 LevelOutcome solve(const Problem& problem, const Collocation&, int level, const OperatorRoute& route,
-                   const Ranks& ranks, KeptNumbers* kept) {
+                   const LevelSharing& sharing, KeptNumbers* kept) {
+  const Ranks& ranks = sharing.ranks;
   const LinearSolver& solver = *find_linear_solver(problem.solver.name);
   const bool proves = solver.proves();
   if (solver.on_ranks && ranks.krylov_engine() == nullptr)
@@ -474,8 +479,7 @@ LevelOutcome solve(const Problem& problem, const Collocation&, int level, const 
   if (!proves) clusters = clusters_of_level(problem, level, ranks);
   if (!clusters && !ranks.is_first()) return {};
   if (proves) return verified_level(problem, level, route);
-  const Ranks& sharing = clusters ? ranks : one_rank();
-  return Level(problem, level, std::move(clusters), sharing, kept).compute(route);
+  return Level(problem, level, std::move(clusters), clusters ? sharing : LevelSharing(), kept).compute(route);
 }
 
 }  // namespace radcert

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
-#include "radcert/core/parallel.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/study/errors/piece_sums.h"
 
 namespace radcert {
 namespace {
@@ -40,14 +40,6 @@ Moments moments(const NodalFunction& u_n, std::size_t k, const TriangleRule<doub
   return found;
 }
 
-/// What is known of a piece: its area and the errors of the area and of the integral of u_n.
-struct PieceErrors {
-  double area = 0;
-  double area_error = 0;
-  double integral = 0;
-  double integral_error = 0;
-};
-
 }  // namespace
 
 double NodalFunction::at(std::size_t element, const Barycentric<double>& x) const {
@@ -59,50 +51,42 @@ double NodalFunction::at(std::size_t element, const Barycentric<double>& x) cons
 }
 
 ComputedFunction NodalFunction::computed() const {
-  return {surface_, triangulation_, [this] {
-            return [this](std::size_t element, const Barycentric<double>& x) { return at(element, x); };
-          }};
+  return {
+      surface_, triangulation_,
+      [this] { return [this](std::size_t element, const Barycentric<double>& x) { return at(element, x); }; },
+      ranks_};
 }
 
 double radius_of_means(const NodalFunction& u_n, double node_radius) {
-  const Surface& surface = u_n.surface();
-  const std::vector<ParameterTriangle>& triangles = u_n.triangulation().triangles;
+  const ComputedFunction computed = u_n.computed();
   const std::size_t functions = u_n.basis().size();
   const TriangleRule<double> rule = conical_rule<double>(nodal_mean_order, Grading::none);
   const TriangleRule<double> finer = conical_rule<double>(finer_mean_order, Grading::none);
   // Roundings of a term, of the sum over a rule, over the functions and over the elements.
-  const double roundings =
-      unit_roundoff<double>() * static_cast<double>(rule.weights.size() + functions + triangles.size() + 64);
-  std::vector<PieceErrors> by_element(triangles.size());
-  parallel_for(triangles.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const bool plane = surface.charts[triangles[k].chart].facts().plane.has_value();
-      const Moments now = moments(u_n, k, rule);
-      const Moments better = plane ? now : moments(u_n, k, finer);
-      PieceErrors& errors = by_element[k];
-      errors.area = now.area;
-      errors.area_error = std::abs(better.area - now.area) + roundings * now.area;
-      for (std::size_t j = 0; j < functions; ++j) {
-        const double value = u_n.value(k, j);
-        errors.integral += now.functions[j] * value;
-        errors.integral_error += std::abs(now.functions[j]) * node_radius +
-                                 std::abs(better.functions[j] - now.functions[j]) * std::abs(value) +
-                                 roundings * now.sizes[j] * std::abs(value);
-      }
+  const double roundings = unit_roundoff<double>() *
+                           static_cast<double>(rule.weights.size() + functions + all_elements(computed) + 64);
+  // Area and Int u_n of a piece, each with its error.
+  const auto sums = piece_sums<4>(computed, [&](const auto&, std::size_t k) {
+    const ChartFacts& facts = u_n.surface().charts[u_n.triangulation().triangles[k].chart].facts();
+    const Moments now = moments(u_n, k, rule);
+    const Moments better = facts.plane ? now : moments(u_n, k, finer);
+    std::array<double, 4> found{};
+    auto& [area, area_error, integral, integral_error] = found;
+    area = now.area;
+    area_error = std::abs(better.area - now.area) + roundings * now.area;
+    for (std::size_t j = 0; j < functions; ++j) {
+      const double value = u_n.value(k, j);
+      integral += now.functions[j] * value;
+      integral_error += std::abs(now.functions[j]) * node_radius +
+                        std::abs(better.functions[j] - now.functions[j]) * std::abs(value) +
+                        roundings * now.sizes[j] * std::abs(value);
     }
+    return found;
   });
-  std::vector<PieceErrors> by_piece(surface.piece_names().size());
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    PieceErrors& piece = by_piece[surface.piece_of(triangles[k].chart)];
-    piece.area += by_element[k].area;
-    piece.area_error += by_element[k].area_error;
-    piece.integral += by_element[k].integral;
-    piece.integral_error += by_element[k].integral_error;
-  }
   double largest = 0;
-  for (const PieceErrors& piece : by_piece) {
-    const double mean = std::abs(piece.integral) / piece.area;
-    const double radius = (piece.integral_error + mean * piece.area_error) / (piece.area - piece.area_error);
+  for (const auto& [area, area_error, integral, integral_error] : sums) {
+    const double mean = std::abs(integral) / area;
+    const double radius = (integral_error + mean * area_error) / (area - area_error);
     if (!(radius <= largest)) largest = radius;
   }
   return largest;

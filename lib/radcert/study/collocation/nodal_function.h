@@ -13,14 +13,18 @@ namespace radcert {
 /// The computed function u_n on a surface: nodal values over a triangulation.
 /// Maths     u_n(m_k(x)) = sum_j u_n(v_{k,j}) l_j(x)
 /// Source    [ac98, (39)]
-/// Requires  values in the order of collocation_nodes
-/// Result    rounded; refers to surface, triangulation and values, which must outlive it
+/// Requires  values in the order of collocation_nodes; of the part of the elements here, where ranks share them
+/// Result    rounded; refers to surface, triangulation, values and ranks, which must outlive it
 /// Limits    two-valued on the sides of triangles unless the inset is 0
 class NodalFunction {
 public:
   NodalFunction(const Surface& surface, const Triangulation& triangulation, TriangleBasis<double> basis,
-                std::span<const double> values)
-      : surface_(surface), triangulation_(triangulation), basis_(std::move(basis)), values_(values) {}
+                std::span<const double> values, const Ranks& ranks = one_rank())
+      : surface_(surface),
+        triangulation_(triangulation),
+        basis_(std::move(basis)),
+        values_(values),
+        ranks_(ranks) {}
 
   double at(std::size_t element, const Barycentric<double>& x) const;
   const TriangleBasis<double>& basis() const { return basis_; }
@@ -35,6 +39,7 @@ private:
   const Triangulation& triangulation_;
   TriangleBasis<double> basis_;
   std::span<const double> values_;
+  const Ranks& ranks_;
 };
 
 /// The order of the rule on each element by which means are taken.
