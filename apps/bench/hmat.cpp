@@ -190,8 +190,8 @@ void of(const std::string& name, const Surface& surface, const std::vector<std::
 }
 
 const bool registered = [] {
-  of("ellipsoid 1 3/2 2", ellipsoid(1, Rational(3, 2), 2), {3, 4, 5});
-  of("cube", cube(), {3, 4, 5});
+  of("ellipsoid 1 3/2 2", ellipsoid(1, Rational(3, 2), 2), {4, 5, 6});
+  of("cube", cube(), {4, 5, 6});
   return true;
 }();
 
