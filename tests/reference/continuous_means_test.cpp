@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/reference/continuous_means.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,6 +32,8 @@ CertificateReader changing(std::function<void(PolyhedronCertificate&)> change) {
   };
 }
 
+bool hides_parts(const ContinuousScene& scene) { return scene.name.starts_with("l_room"); }
+
 TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
   std::set<std::string> found;
   for (const ContinuousScene& scene : continuous_scenes()) {
@@ -41,7 +44,7 @@ TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
     for (const EnclosedMean& mean : *means) {
       found.insert(mean.mean->name);
       EXPECT_LT(mean.first.value.radius(), mean.second.value.radius()) << mean.mean->name;
-      EXPECT_LT(mean.first.value.radius(), 1e-4) << mean.mean->name;
+      EXPECT_LT(mean.first.value.radius(), hides_parts(scene) ? 5e-2 : 1e-4) << mean.mean->name;
       EXPECT_NE(mean.first.how, mean.second.how);
     }
     const certificate::Certificate fine =
@@ -55,8 +58,9 @@ TEST(ContinuousMeans, AreEnclosedByTwoCertificatesOnDifferentMeshes) {
     const auto& first = std::get<PolyhedronCertificate>(fine);
     const auto& second = std::get<PolyhedronCertificate>(coarse);
     EXPECT_NE(first.elements.size(), second.elements.size()) << scene.name;
-    // The kernels of points ask for a degree of their own.
-    EXPECT_EQ(first.degree == second.degree, scene.power > 1 || first.of_values()) << scene.name;
+    // The kernels of points ask for a degree of their own; where parts hide each other there is one alone.
+    EXPECT_EQ(first.degree == second.degree, scene.power > 1 || first.of_values() || hides_parts(scene))
+        << scene.name;
   }
   EXPECT_EQ(found.size(), continuous_means().size());
   for (const ContinuousMean& mean : continuous_means()) {
@@ -141,6 +145,19 @@ TEST(ContinuousMeans, AreRefusedWhereTheCertificateIsOfAnotherEquation) {
     for (certificate::Face& face : c.faces)
       for (Vector<Rational>& corner : face.corners) corner.z = Rational(1) - corner.z;
   }));
+  // Faces in the polygons of the scene that leave some of one out.
+  const ContinuousScene& room = *find_continuous_scene("l_room_rho_1/2");
+  PolyhedronCertificate of_room = std::get<PolyhedronCertificate>(
+      intact_certificate(certificate_content(room.certificates[1]), room.certificates[1]));
+  EXPECT_EQ(scene_fault(room, of_room), "");
+  for (certificate::Face& face : of_room.faces) {
+    const Vector<Rational> corner = face.corners[1];
+    face.corners[1] = face.corners[0] + Rational(1, 2) * (corner - face.corners[0]);
+    EXPECT_THAT(scene_fault(room, of_room), testing::StartsWith("has not all of "));
+    face.corners[1] = corner;
+  }
+  of_room.faces.pop_back();
+  EXPECT_THAT(scene_fault(room, of_room), testing::StartsWith("has not all of "));
   const auto is_refused = [&](const std::function<void(PolyhedronCertificate&)>& change) {
     return !enclose(scene, changing(change), 0);
   };

@@ -23,7 +23,7 @@ int digits_of(const Ball& value) {
 std::string integral_of(const reference::ContinuousMean& mean) {
   if (mean.point) return "u at a point of the surface";
   if (mean.at_centre) return "u at the mean of the corners of a face";
-  return mean.face.empty() ? "(1/|S|) Int_S u" : "(1/|F|) Int_F u";
+  return mean.piece.empty() ? "(1/|S|) Int_S u" : "(1/|F|) Int_F u";
 }
 
 ReferenceRecord record_of(const reference::ContinuousScene& scene, const reference::EnclosedMean& found) {
@@ -31,7 +31,7 @@ ReferenceRecord record_of(const reference::ContinuousScene& scene, const referen
   record.name = found.mean->name;
   record.digits = digits_of(found.first.value);
   record.formula = integral_of(*found.mean) +
-                   ",  u = E + (rho/pi) Int G u dS: of the solution itself, not of one constant a face";
+                   ",  u = E + (rho/pi) Int V G u dS: of the solution itself, not of one constant a face";
   record.source =
       (scene.ellipsoid
            ? std::string("a residual that is bounded everywhere: "

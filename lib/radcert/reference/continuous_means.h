@@ -26,35 +26,41 @@ struct EllipsoidScene {
   std::vector<certificate::Monomial> emission;
 };
 
+/// A convex part of a piece of a polyhedron, by its corners in their order round it, either way.
+struct ScenePolygon {
+  std::string piece;
+  std::vector<Vector<Rational>> corners;
+};
+
 /// A radiosity equation whose solution is not known and whose means, or values, are enclosed.
-/// Maths     u = E + rho T u on an ellipsoid or, where there is none, on the boundary of the convex hull of
-///           the corners, T u(P) = (1/pi) Int G u dS; E(P) = (offset + slope . P)^power on the face with the
-///           corners `emitting`, else 0; on all faces where there are none. rho = 0 on the faces `black`,
-///           which close an open surface
+/// Maths     u = E + rho T u on an ellipsoid or, where there is none, on the closed surface of the polygons,
+///           T u(P) = (1/pi) Int V G u dS, V = 1 where P and Q see each other, else 0; E(P) = (offset +
+///           slope . P)^power on the piece `emitting`, else 0; on all pieces where it is empty. rho = 0 on the
+///           piece `black`, which closes an open surface
 /// Result    plain data, exact
 struct ContinuousScene {
   std::string name;
   std::string words;  ///< the scene in a sentence
   std::optional<EllipsoidScene> ellipsoid = {};
-  std::vector<Vector<Rational>> corners = {};
-  std::vector<Vector<Rational>> emitting = {};
+  std::vector<ScenePolygon> polygons = {};
+  std::string emitting = {};
   Rational offset = 1;
   Vector<Rational> slope = {};
   int power = 1;
-  std::vector<std::vector<Vector<Rational>>> black = {};
+  std::string black = {};
   Rational reflectivity = {};
   std::array<std::string, 2> certificates;  ///< files of embedded_certificates, on a fine and a coarse mesh
 };
 
-/// The mean of the solution itself over a face, not of an approximation by one constant a face; or its value
-/// at the centre of the face.
-/// Maths     (1/|F|) Int_F u, F the face with these corners; or u at their mean. On an ellipsoid the mean
-///           over the surface, or u at the point
+/// The mean of the solution itself over a piece, not of an approximation by one constant a face; or its value
+/// at the centre of the piece.
+/// Maths     (1/|F|) Int_F u, F the piece; or u at the mean of its corners, where it is one polygon. On an
+///           ellipsoid the mean over the surface, or u at the point
 struct ContinuousMean {
   std::string name;
   std::string summary;
   std::string scene;
-  std::vector<Vector<Rational>> face = {};
+  std::string piece = {};
   bool at_centre = false;
   std::optional<Vector<Rational>> point = {};  ///< of an ellipsoid
 
@@ -88,9 +94,9 @@ struct EnclosedMean {
 };
 
 /// Why a certificate is not of the scene; empty where it is.
-/// Maths     that the surface is the boundary of the hull of its corners is checked with it (surface_fault);
-///           here that these are the corners of the scene, or its half axes, and that E and rho are those of
-///           the scene
+/// Maths     that the faces are the boundary of a body, so that their interiors are disjoint, is checked with
+///           it (surface_fault); here that each lies in a polygon of the scene, that their areas in each sum
+///           to its own, and that E and rho are those of the scene; or the half axes of an ellipsoid
 [[nodiscard]] std::string scene_fault(const ContinuousScene& scene,
                                       const certificate::Certificate& certificate);
 
