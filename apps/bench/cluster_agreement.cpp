@@ -5,6 +5,7 @@
 //   cluster_agreement rows SURFACE DEGREE LEVEL TOLERANCE COUNT        rows times random signs, without a
 //                                                                      matrix; those at the corners of the
 //                                                                      charts' domains are always among them
+//   either with a GRADING after COUNT                                  on a graded triangulation
 //   cluster_agreement all TOLERANCE [UNKNOWNS [PART PARTS]]            all columns for degrees 0 to 8 on each
 //                                                                      closed surface, at the finest level
 //                                                                      of at most so many unknowns (6144);
@@ -45,32 +46,34 @@ double seconds() {
 struct Discretisation {
   Surface surface;
   int level;
+  double grading;
   Triangulation triangulation;
   TriangleBasis<double> basis;
   std::vector<CollocationPoint<double>> nodes;
   std::vector<double> rho;
 };
 
-Discretisation discretisation(const Surface& surface, int degree, int level) {
-  Discretisation d{surface, level, {}, InsetBasis<double>(degree, 1.0 / 6), {}, {}};
-  d.triangulation = triangulate(d.surface, level);
+Discretisation discretisation(const Surface& surface, int degree, int level, double grading = 1) {
+  Discretisation d{surface, level, grading, {}, InsetBasis<double>(degree, 1.0 / 6), {}, {}};
+  d.triangulation = triangulate(d.surface, level, {.diagonals = std::nullopt, .grading = grading});
   d.nodes = collocation_nodes<double>(d.surface, d.triangulation, d.basis);
   d.rho.assign(d.nodes.size(), 0.5);
   return d;
 }
 
-Discretisation discretisation(const std::string& name, int degree, int level) {
+Discretisation discretisation(const std::string& name, int degree, int level, double grading) {
   const SurfaceDescription* found = find_surface(name);
   if (found == nullptr) throw std::invalid_argument("no surface " + name);
-  return discretisation(default_surface(*found), degree, level);
+  return discretisation(default_surface(*found), degree, level, grading);
 }
 
 std::unique_ptr<const ClusterOperator> clusters_of(const Discretisation& d, double tolerance,
                                                    std::optional<int> refinements = std::nullopt) {
   const double begin = seconds();
-  const ClusterTree tree =
-      ClusterTree::make(d.triangulation, d.level, refinements.value_or(leaf_refinements(d.basis.size())))
-          .value();
+  const int cuts = refinements.value_or(leaf_refinements(d.basis.size()));
+  const ClusterTree tree = (d.grading == 1 ? ClusterTree::make(d.triangulation, d.level, cuts)
+                                           : ClusterTree::graded(d.triangulation, d.level, cuts))
+                               .value();
   auto made =
       std::make_unique<const ClusterOperator>(ClusterOperator::Setting{.surface = d.surface,
                                                                        .tree = tree,
@@ -296,11 +299,12 @@ double rows(const Discretisation& d, double tolerance, std::size_t count) {
 int run(const std::vector<std::string>& words) {
   if (!words.empty() && words[0] == "all" && words.size() > 1) return all(words) <= 1 ? 0 : 1;
   if (words.size() < 5) {
-    std::cerr << "cluster_agreement columns|rows SURFACE DEGREE LEVEL TOLERANCE [COUNT]\n"
+    std::cerr << "cluster_agreement columns|rows SURFACE DEGREE LEVEL TOLERANCE [COUNT [GRADING]]\n"
                  "cluster_agreement all TOLERANCE [UNKNOWNS [PART PARTS]]\n";
     return 2;
   }
-  const Discretisation d = discretisation(words[1], std::stoi(words[2]), std::stoi(words[3]));
+  const double grading = words.size() > 6 ? std::stod(words[6]) : 1;
+  const Discretisation d = discretisation(words[1], std::stoi(words[2]), std::stoi(words[3]), grading);
   const double tolerance = std::stod(words[4]);
   const std::size_t count = words.size() > 5 ? std::stoul(words[5]) : d.nodes.size();
   const double worst = words[0] == "rows" ? rows(d, tolerance, count) : columns(d, tolerance, count);

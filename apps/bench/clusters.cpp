@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The matrix as couplings of clusters and near entries, and with all its entries: making it, and products with it;
-// degree 1, inset 1/6. The argument `digits` is the tolerance of couplings, 10^-digits.
+// The matrix as couplings of clusters and near entries, and with all its entries: making it, and products
+// with it; degree 1, inset 1/6. The argument `digits` is the tolerance of couplings, 10^-digits.
 #include <benchmark/benchmark.h>
 
 #include <cmath>

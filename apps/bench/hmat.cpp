@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Beside clusters.cpp: the same matrix as a hierarchical one of hmat-oss, far blocks compressed by adaptive cross
-// approximation and kept. Degree 1, inset 1/6. The argument `digits` is the tolerance of the compression,
-// 10^-digits. An entry is taken by one rule of 16 points, near or far: what is compared is how the far blocks are
-// held, and near entries are not those of clusters.cpp. hmat-oss works in one thread.
+// Beside clusters.cpp: the same matrix as a hierarchical one of hmat-oss, far blocks compressed by adaptive
+// cross approximation and kept. Degree 1, inset 1/6. The argument `digits` is the tolerance of the
+// compression, 10^-digits. An entry is taken by one rule of 16 points, near or far: what is compared is how
+// the far blocks are held, and near entries are not those of clusters.cpp. hmat-oss works in one thread.
 #include <benchmark/benchmark.h>
 #include <hmat/hmat.h>
 

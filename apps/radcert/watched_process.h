@@ -5,8 +5,8 @@
 
 namespace radcert::app {
 
-/// Goes on in a child of this process, which waits for it: what a process that is killed can no longer say, the
-/// one that watches says.
+/// Goes on in a child of this process, which waits for it: what a process that is killed can no longer say,
+/// the one that watches says.
 /// Source    POSIX fork(2), waitpid(2); Linux prctl(2), PR_SET_PDEATHSIG
 /// Requires  one thread; `name` is what the process is called in that message
 /// Result    returns in the child alone, or here where there can be none. The watching process passes on what

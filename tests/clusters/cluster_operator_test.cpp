@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -32,15 +33,17 @@ namespace {
 struct Discretisation {
   Surface surface;
   int level;
+  double grading;
   Triangulation triangulation;
   TriangleBasis<double> basis;
   std::vector<CollocationPoint<double>> nodes;
   std::vector<double> rho;
 
-  Discretisation(Surface s, int levels, int degree, double inset = 0.1)
+  Discretisation(Surface s, int levels, int degree, double inset = 0.1, double graded = 1)
       : surface(std::move(s)),
         level(levels),
-        triangulation(triangulate(surface, level)),
+        grading(graded),
+        triangulation(triangulate(surface, level, {.diagonals = std::nullopt, .grading = grading})),
         basis(InsetBasis<double>(degree, inset)),
         nodes(collocation_nodes<double>(surface, triangulation, basis)) {
     for (std::size_t i = 0; i < nodes.size(); ++i) rho.push_back(0.25 + 0.5 * double(i % 7) / 7);
@@ -48,8 +51,10 @@ struct Discretisation {
 
   /// With leaves of 4^refinements elements: small ones, so that small problems have couplings.
   ClusterOperator clusters(double tolerance, std::optional<int> refinements = std::nullopt) const {
-    const ClusterTree tree =
-        ClusterTree::make(triangulation, level, refinements.value_or(leaf_refinements(basis.size()))).value();
+    const int cuts = refinements.value_or(leaf_refinements(basis.size()));
+    const ClusterTree tree = (grading == 1 ? ClusterTree::make(triangulation, level, cuts)
+                                           : ClusterTree::graded(triangulation, level, cuts))
+                                 .value();
     return ClusterOperator({.surface = surface,
                             .tree = tree,
                             .part = ClusterPart(tree),
@@ -156,11 +161,22 @@ TEST(ClusterOperator, AgreesWithTheDenseMatrixOnEverySurfaceOfAnalyticCharts) {
   }
 }
 
+TEST(ClusterOperator, AgreesWithTheDenseMatrixOnGradedTriangulations) {
+  expect_agreement(Discretisation(cube(), 4, 0, 0.1, 2), 1e-4, 1);
+  expect_agreement(Discretisation(cube(), 3, 1, 0.1, 1.5), 1e-6, 0);
+  expect_agreement(Discretisation(box(1, 2, 3), 3, 2, 0.1, 1.5), 1e-5, 1);
+  expect_agreement(Discretisation(two_squares(), 4, 1, 0.1, 3), 1e-8, 1);
+  expect_agreement(Discretisation(two_squares(), 3, 4, 0.1, 2), 1e-10, 1);
+  // Unit triangles are not graded: clusters are those of a uniform triangulation, by other matrices.
+  expect_agreement(Discretisation(octahedron(), 3, 1, 0.1, 2), 1e-6, 0);
+}
+
 TEST(ClusterOperator, KeepsToItsRadiusInTheSumOverEachRow) {
   // The sizes of all errors of a row, corners and edges included.
-  for (const int degree : {0, 1}) {
-    const Discretisation d(degree == 1 ? cube() : ellipsoid(1, Rational(3, 2), 2), 3 - degree, degree,
-                           1.0 / 6);
+  const std::array<Discretisation, 3> all{Discretisation(ellipsoid(1, Rational(3, 2), 2), 3, 0, 1.0 / 6),
+                                          Discretisation(cube(), 2, 1, 1.0 / 6),
+                                          Discretisation(cube(), 3, 0, 1.0 / 6, 2)};
+  for (const Discretisation& d : all) {
     const Surface& surface = d.surface;
     const CollocationMatrix<double> dense = d.dense();
     const ClusterOperator k = d.clusters(1e-4, 0);
@@ -248,8 +264,12 @@ TEST(ClusterOperator, MapsOneToTheReflectivityOnClosedSurfaces) {
 }
 
 TEST(ClusterOperator, BoundsTheSizesOfItsEntries) {
-  for (const int degree : {0, 1, 2, 4}) {
-    const Discretisation d(ellipsoid(1, Rational(3, 2), 2), degree < 1 ? 3 : 2, degree);
+  const Surface curved = ellipsoid(1, Rational(3, 2), 2);
+  const std::array<Discretisation, 5> all{Discretisation(curved, 3, 0), Discretisation(curved, 2, 1),
+                                          Discretisation(curved, 2, 2), Discretisation(curved, 2, 4),
+                                          Discretisation(two_squares(), 3, 2, 0.1, 2)};
+  for (const Discretisation& d : all) {
+    const int degree = d.basis.degree();
     const ClusterOperator k = d.clusters(1e-3, 0);
     const Matrix<double> dense = d.dense().entries;
     std::vector<double> w = random_vector(d.size(), 5);

@@ -76,6 +76,22 @@ TEST(MatrixForm, LeavesTheSolutionWithinItsRadius) {
   }
 }
 
+TEST(MatrixForm, LeavesTheSolutionOnAGradedTriangulationWithinItsRadius) {
+  Problem problem =
+      with_emission(with_basis(sample_problem("two_squares", {}), 1, Rational(1, 6)), "1 + x*y");
+  problem.reflectivity = everywhere("3/4 - z/8");
+  problem.triangulation.grading = Rational(5, 2);
+  const LevelOutcome dense = solve_level(held_as(problem, "dense"), 4, no_route);
+  const LevelOutcome clusters = solve_level(held_as(problem, "h2"), 4, no_route);
+  EXPECT_EQ(clusters.result.matrix_form, "h2");
+  ASSERT_EQ(dense.nodes.size(), clusters.nodes.size());
+  for (std::size_t i = 0; i < dense.nodes.size(); ++i) {
+    const Approximation& u = clusters.nodes[i].u_n;
+    EXPECT_LT(u.radius, 1e-7);
+    EXPECT_NEAR(u.value, dense.nodes[i].u_n.value, u.radius + dense.nodes[i].u_n.radius) << i;
+  }
+}
+
 TEST(MatrixForm, FallsBackToEntriesWhereNothingContracts) {
   Problem problem =
       with_emission(with_basis(sample_problem("ellipsoid", {{"a", 1}, {"b", Rational(3, 2)}, {"c", 2}}), 3,
@@ -187,7 +203,10 @@ TEST(MatrixForm, IsRefusedByNameWhereItDoesNotServe) {
   expect_obstacle(held_as(on_ellipsoid(), "h2", "verified"), "is not plane");
   Problem graded = problem;
   graded.triangulation.grading = 2;
-  expect_obstacle(graded, "graded");
+  expect_obstacle(graded, "curved charts");
+  Problem proved = held_as(with_emission(sample_problem("cube", {}), "1"), "h2", "verified");
+  proved.triangulation.grading = 2;
+  expect_obstacle(proved, "a proof on a graded");
   Problem interpolated = problem;
   interpolated.geometry = InterpolatedGeometry{};
   expect_obstacle(interpolated, "interpolated");

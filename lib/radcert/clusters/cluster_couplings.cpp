@@ -46,6 +46,7 @@ struct VectorGroup {
     y[count++] = to;
   }
   void multiply(const Matrix<double>& a, std::size_t rows, std::size_t columns) {
+    if (count == 0) return;
     add_mode_product(a, rows, columns, std::span(x).first(count), std::span(y).first(count));
     count = 0;
   }
@@ -59,11 +60,18 @@ ClusterCouplings::ClusterCouplings(const std::vector<Chart>& charts, const Clust
     : part_(part),
       levels_(placed_levels(part, degrees_of_levels(part, pairs))),
       modes_(levels_.back().place(levels_.back().held.end)),
-      leaf_(basis, tree.refinements(), std::max(0, levels_.back().degree)) {
+      transfers_(tree, basis, degrees_of(levels_)),
+      unknowns_(tree.elements_of_leaf() * basis.size()) {
   expects(pairs.size() == tree.levels(), "pairs of each level of the tree", named("levels", pairs.size()));
   place_node_sets(charts, tree, pairs);
   list_foreign_moments();
   list_batches();
+}
+
+std::vector<int> ClusterCouplings::degrees_of(const std::vector<Level>& levels) {
+  std::vector<int> degrees;
+  for (const Level& level : levels) degrees.push_back(level.degree);
+  return degrees;
 }
 
 std::vector<ClusterCouplings::Level> ClusterCouplings::placed_levels(const ClusterPart& part,
@@ -237,6 +245,7 @@ void ClusterCouplings::count(MemoryPlan& plan) const {
            ClusterPoints::bytes_each + 2 * sizeof(double));
   plan.add("moments and modes", modes_, 2 * sizeof(double));
   plan.add("moments that other ranks hold", brought_, sizeof(double) + 2 * sizeof(RemoteNumber));
+  transfers_.count(plan);
   plan.add("lists of couplings", couplings_.size(),
            sizeof(Coupling) + sizeof(Target) + 2 * sizeof(std::uint32_t));
   std::size_t slots = 0;
@@ -246,7 +255,7 @@ void ClusterCouplings::count(MemoryPlan& plan) const {
 
 void ClusterCouplings::multiply(ClusterDensity density, std::span<const double> x,
                                 std::span<double> y) const {
-  const std::size_t unknowns = part_.leaves().size() * leaf_.unknowns;
+  const std::size_t unknowns = part_.leaves().size() * unknowns_;
   expects(y.size() == unknowns && (density == ClusterDensity::one || x.size() == unknowns),
           "vectors of as many entries as unknowns", named("x", x.size()), named("y", y.size()));
   if (levels_.back().degree < 0) {
@@ -272,18 +281,23 @@ void ClusterCouplings::moments_of_leaves(ClusterDensity density, std::span<const
                                          std::span<double> moments) const {
   const Level& level = levels_.back();
   const ClusterRange here = part_.leaves();
-  const Matrix<double>& table =
-      density == ClusterDensity::absolute_functions ? leaf_.absolute_moments : leaf_.moments;
+  const auto table = [&](std::size_t i) -> const Matrix<double>& {
+    const LeafTables& leaf = transfers_.leaf(here.begin + i);
+    return density == ClusterDensity::absolute_functions ? leaf.absolute_moments : leaf.moments;
+  };
   parallel_for(here.size(), clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
     VectorGroup group;
     for (std::size_t i = begin; i < end; ++i) {
       double* to = &moments[level.place(here.begin + i)];
-      if (density == ClusterDensity::one)
-        *to = 1;
-      else
-        group.add(&x[i * leaf_.unknowns], to);
+      if (density == ClusterDensity::one) {
+        const std::vector<double>& of_one = transfers_.leaf(here.begin + i).moments_of_one;
+        std::copy(of_one.begin(), of_one.end(), to);
+        continue;
+      }
+      group.add(&x[i * unknowns_], to);
+      if (!transfers_.is_uniform()) group.multiply(table(i), level.stride, unknowns_);
     }
-    group.multiply(table, level.stride, leaf_.unknowns);
+    group.multiply(table(begin), level.stride, unknowns_);
   });
 }
 
@@ -303,13 +317,17 @@ void ClusterCouplings::moments_of_level(std::size_t l, std::span<double> moments
   parallel_for(here.size(), clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
     VectorGroup group;
     for (std::size_t c = 0; c < 4; ++c) {
-      for (std::size_t i = here.begin + begin; i < here.begin + end; ++i)
+      const auto multiply = [&](std::size_t i) {
+        group.multiply(transfers_.up(l + 1, 4 * i + c), parents.stride, mode_count(parents.degree));
+      };
+      for (std::size_t i = here.begin + begin; i < here.begin + end; ++i) {
         group.add(&moments[children.place(4 * i + c)], &moments[parents.place(i)]);
-      group.multiply(ModeTables::instance().to_parent(c), parents.stride, mode_count(parents.degree));
+        if (!transfers_.is_uniform()) multiply(i);
+      }
+      multiply(here.begin + begin);
     }
-    constexpr double share_of_area = 0.25;
     for (std::size_t i = parents.place(here.begin + begin); i < parents.place(here.begin + end); ++i)
-      moments[i] *= share_of_area;
+      moments[i] *= transfers_.share_of_area();
   });
 }
 
@@ -436,9 +454,14 @@ void ClusterCouplings::modes_of_children(std::span<double> modes) const {
     parallel_for(here.size(), clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
       VectorGroup group;
       for (std::size_t c = 0; c < 4; ++c) {
-        for (std::size_t i = here.begin + begin; i < here.begin + end; ++i)
+        const auto multiply = [&](std::size_t i) {
+          group.multiply(transfers_.down(l + 1, 4 * i + c), parents.stride, mode_count(parents.degree));
+        };
+        for (std::size_t i = here.begin + begin; i < here.begin + end; ++i) {
           group.add(&modes[parents.place(i)], &modes[children.place(4 * i + c)]);
-        group.multiply(ModeTables::instance().to_child(c), parents.stride, mode_count(parents.degree));
+          if (!transfers_.is_uniform()) multiply(i);
+        }
+        multiply(here.begin + begin);
       }
     });
   }
@@ -448,13 +471,19 @@ void ClusterCouplings::values_at_leaves(std::span<const double> modes, std::span
   const Level& level = levels_.back();
   const ClusterRange here = part_.leaves();
   parallel_for(here.size(), clusters_at_a_time, [&](std::size_t begin, std::size_t end) {
-    std::vector<double> padded_values(leaf_.values.rows() * (end - begin), 0.0);
+    const std::size_t rows = padded<double>(unknowns_);
+    std::vector<double> padded_values(rows * (end - begin), 0.0);
     VectorGroup group;
+    const auto multiply = [&](std::size_t i) {
+      group.multiply(transfers_.leaf(here.begin + i).values, rows, mode_count(level.degree));
+    };
+    for (std::size_t i = begin; i < end; ++i) {
+      group.add(&modes[level.place(here.begin + i)], &padded_values[(i - begin) * rows]);
+      if (!transfers_.is_uniform()) multiply(i);
+    }
+    multiply(begin);
     for (std::size_t i = begin; i < end; ++i)
-      group.add(&modes[level.place(here.begin + i)], &padded_values[(i - begin) * leaf_.values.rows()]);
-    group.multiply(leaf_.values, leaf_.values.rows(), mode_count(level.degree));
-    for (std::size_t i = begin; i < end; ++i)
-      std::copy_n(&padded_values[(i - begin) * leaf_.values.rows()], leaf_.unknowns, &y[i * leaf_.unknowns]);
+      std::copy_n(&padded_values[(i - begin) * rows], unknowns_, &y[i * unknowns_]);
   });
 }
 

@@ -10,8 +10,8 @@
 #include "radcert/clusters/cluster_pairs.h"
 #include "radcert/clusters/cluster_part.h"
 #include "radcert/clusters/cluster_points.h"
+#include "radcert/clusters/cluster_transfers.h"
 #include "radcert/clusters/cluster_tree.h"
-#include "radcert/clusters/mode_tables.h"
 #include "radcert/core/memory_plan.h"
 
 namespace radcert {
@@ -33,8 +33,8 @@ enum class ClusterDensity {
 ///           are gathered, and all ranks go on upwards from there; those of other ranks' clusters below the
 ///           cut are brought as far as couplings ask for them. A coupling of clusters of two ranks is
 ///           evaluated by both, each for its own
-/// Source    ours: an H2 matrix (Hackbusch, Khoromskij, Sauter, 2000) on the triangles of a triangulation,
-///           whose transfer matrices are constants because the area element stays with G
+/// Source    ours: an H2 matrix (Hackbusch, Khoromskij, Sauter, 2000) on the triangles of a triangulation;
+///           where it is uniform transfer matrices are constants, because the area element stays with G
 /// Requires  pairs of this tree that concern the part; leaves of the basis's unknowns; called by all ranks
 ///           together
 /// Result    the same bits for any number of ranks and threads: what a coupling gives is added in the order
@@ -105,6 +105,7 @@ private:
     std::size_t last_slot;
   };
 
+  static std::vector<int> degrees_of(const std::vector<Level>& levels);
   static std::vector<Level> placed_levels(const ClusterPart& part, const std::vector<int>& degrees);
   void place_node_sets(const std::vector<Chart>& charts, const ClusterTree& tree,
                        const std::vector<std::vector<FarPair>>& pairs);
@@ -130,7 +131,8 @@ private:
   std::size_t modes_;
   std::size_t brought_ = 0;                   ///< moments of other ranks' clusters
   std::unique_ptr<const Exchange> exchange_;  ///< of these
-  LeafTables leaf_;
+  ClusterTransfers transfers_;
+  std::size_t unknowns_;  ///< of a leaf
   ClusterPoints points_;
   std::vector<NodeSet> sets_;
   std::vector<NodeGroup> groups_;

@@ -54,7 +54,7 @@ std::vector<double> truncation_of_leaves(const ClusterPart& part,
 ModeSizes sizes_at_nodes(const CouplingDemand& demand, const ClusterTree& tree, std::size_t level) {
   constexpr int most_refinements = 4;
   const int refinements = tree.refinements() + static_cast<int>(tree.levels() - 1 - level);
-  if (demand.nodes.empty() || refinements > most_refinements) return ModeSizes();
+  if (demand.nodes.empty() || refinements > most_refinements || !tree.is_uniform()) return ModeSizes();
   return ModeSizes(points_of_parts(refinements, demand.nodes));
 }
 

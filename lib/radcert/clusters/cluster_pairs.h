@@ -61,7 +61,8 @@ using Decisions = std::function<LevelDecisions(std::size_t level, std::span<cons
                                                        const std::vector<std::vector<FarPair>>& pairs);
 
 /// How large the modes are at the nodes of all elements of a cluster of one level of a tree.
-/// Result    of the nodes of the demand; over the whole triangle where these are many, or none
+/// Result    of the nodes of the demand; over the whole triangle where these are many, or none, and of graded
+///           trees
 [[nodiscard]] ModeSizes sizes_at_nodes(const CouplingDemand& demand, const ClusterTree& tree,
                                        std::size_t level);
 

@@ -157,11 +157,15 @@ std::vector<Barycentric<double>> points_of_parts(int refinements,
   return found;
 }
 
-LeafTables::LeafTables(const TriangleBasis<double>& basis, int refinements, int degree)
-    : unknowns((std::size_t{1} << static_cast<unsigned>(2 * refinements)) * basis.size()),
+LeafTables::LeafTables(std::size_t number, int degree)
+    : unknowns(number),
       moments(padded<double>(mode_count(degree)), unknowns),
       absolute_moments(padded<double>(mode_count(degree)), unknowns),
-      values(padded<double>(unknowns), mode_count(degree)) {
+      values(padded<double>(unknowns), mode_count(degree)),
+      moments_of_one{1} {}
+
+LeafTables::LeafTables(const TriangleBasis<double>& basis, int refinements, int degree)
+    : LeafTables((std::size_t{1} << static_cast<unsigned>(2 * refinements)) * basis.size(), degree) {
   const std::vector<Corners> elements = refined_parts(refinements);
   const double share = 1 / static_cast<double>(elements.size());
   const std::size_t p = basis.size();

@@ -69,11 +69,14 @@ std::vector<Barycentric<double>> points_of_parts(int refinements,
 /// Result    rows padded by zeros to whole packs; moments and values rounded, the two of |l_j| estimated
 struct LeafTables {
   LeafTables(const TriangleBasis<double>& basis, int refinements, int degree);
+  /// Zeros, to be filled.
+  LeafTables(std::size_t unknowns, int degree);
 
   std::size_t unknowns;
   Matrix<double> moments;
   Matrix<double> absolute_moments;
   Matrix<double> values;
+  std::vector<double> moments_of_one;  ///< mean over the leaf of D_n on its elements, what is not there is 0
 };
 
 /// How large the functions of a basis are together.

@@ -75,10 +75,10 @@ struct LevelOutcome {
 ///           Int G = pi within its radius, and where numbers run over the range of double. Ranks that are
 ///           given share a level whose operator is h2, and all of them call this together; any other level is
 ///           the first one's. The outcome is given on the first, with the bits that it has without others,
-///           and is empty elsewhere; of a level that is shared without nodes and elements where these are not
-///           wanted, and no rank holds all of anything then. Of a level whose operator is h2 Ku and how far the solver has come are
-///           kept: who is given what another call for this problem and level has kept goes on from there, to
-///           the same bits
+///           and is empty elsewhere. A level that ranks share is without nodes and elements where these are
+///           not wanted: no rank holds all of anything then. Of a level whose operator is h2 Ku and how far
+///           the solver has come are kept: who is given what another call for this problem and level has kept
+///           goes on from there, to the same bits
 /// Limits    radii are estimates, but for a solver that proves; such a one does not take the route
 LevelOutcome solve_level(const Problem& problem, int level, const OperatorRoute& route,
                          const LevelSharing& sharing = {}, KeptNumbers* kept = nullptr);

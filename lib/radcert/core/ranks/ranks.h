@@ -85,8 +85,8 @@ public:
   /// What the first rank gives, wherever else.
   [[nodiscard]] std::string from_first(std::string_view own) const;
   [[nodiscard]] std::vector<double> numbers_from_first(std::span<const double> own) const;
-  /// Numbers that go from rank to rank in their order, each carrying on with what those before it have made of
-  /// them: what the last one makes of them, everywhere.
+  /// Numbers that go from rank to rank in their order, each carrying on with what those before it have made
+  /// of them: what the last one makes of them, everywhere.
   [[nodiscard]] std::vector<double> carried(std::vector<double> numbers,
                                             const std::function<void(std::span<double>)>& on) const;
 };

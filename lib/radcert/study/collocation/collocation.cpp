@@ -112,7 +112,8 @@ MemoryPlan level_plan(const Problem& problem, std::uint64_t elements) {
     find_linear_solver("gmres")->plan(plan, unknowns);
   } else {
     if (clusters)
-      plan_clusters(plan, surface_of(problem), unknowns, functions);
+      plan_clusters(plan, surface_of(problem), problem.triangulation.grading != Rational(1), unknowns,
+                    functions);
     else
       plan.add("collocation matrix", saturated_product(unknowns, unknowns), sizeof(double));
     solver->plan(plan, unknowns);

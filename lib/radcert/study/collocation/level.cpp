@@ -476,10 +476,14 @@ LevelOutcome solve(const Problem& problem, const Collocation&, int level, const 
   if (solver.on_ranks && ranks.krylov_engine() == nullptr)
     refuse_input("/solver/name", solver.name, "is for radcert with PETSc under mpirun", "gmres");
   std::optional<LevelClusters> clusters;
-  if (!proves) clusters = clusters_of_level(problem, level, ranks);
+  // A graded triangulation is not made in parts.
+  const bool is_whole = problem.triangulation.grading != Rational(1);
+  if (is_whole && !ranks.is_first()) return {};
+  if (!proves) clusters = clusters_of_level(problem, level, is_whole ? one_rank() : ranks);
   if (!clusters && !ranks.is_first()) return {};
   if (proves) return verified_level(problem, level, route);
-  return Level(problem, level, std::move(clusters), clusters ? sharing : LevelSharing(), kept).compute(route);
+  return Level(problem, level, std::move(clusters), clusters && !is_whole ? sharing : LevelSharing(), kept)
+      .compute(route);
 }
 
 }  // namespace radcert

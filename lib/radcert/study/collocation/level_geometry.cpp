@@ -51,7 +51,10 @@ std::optional<LevelClusters> clusters_of_level(const Problem& problem, int level
   if (!elements || !takes_clusters(problem, saturated_product(*elements, functions))) return std::nullopt;
   const int refinements = std::min(level, leaf_refinements(functions));
   const int leaves = level - refinements;
-  ClusterTree tree = ClusterTree::above(triangulate(surface, leaves, options), leaves, refinements).value();
+  ClusterTree tree =
+      options.grading != 1
+          ? ClusterTree::graded(triangulate(surface, level, options), level, refinements).value()
+          : ClusterTree::above(triangulate(surface, leaves, options), leaves, refinements).value();
   if (const std::size_t most = ClusterPart::most_ranks(tree); ranks.count() > most)
     throw InputError({.source = "the number of ranks",
                       .value = std::to_string(ranks.count()),

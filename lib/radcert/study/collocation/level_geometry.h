@@ -31,7 +31,7 @@ struct LevelClusters {
   }
 };
 
-/// The clusters of a level that takes_clusters, else nothing.
+/// The clusters of a level that takes_clusters, else nothing. Those of a graded one are not shared.
 /// Requires  a checked problem; ranks outlive what is given
 /// Result    InputError where there are more ranks than subtrees
 [[nodiscard]] std::optional<LevelClusters> clusters_of_level(const Problem& problem, int level,

@@ -23,6 +23,11 @@ struct Obstacle {
   std::string allowed;
 };
 
+bool has_plane_charts(const Surface& surface) {
+  return std::all_of(surface.charts.begin(), surface.charts.end(),
+                     [](const Chart& chart) { return chart.facts().plane.has_value(); });
+}
+
 std::optional<Obstacle> obstacle(const Problem& problem, const Surface& surface) {
   const auto dense_for = [](const std::string& what) {
     return std::optional(Obstacle{"is not for " + what, "dense"});
@@ -30,12 +35,14 @@ std::optional<Obstacle> obstacle(const Problem& problem, const Surface& surface)
   if (std::holds_alternative<Galerkin>(problem.method)) return dense_for("Galerkin's method");
   if (!std::holds_alternative<Collocation>(problem.method)) return dense_for("a meshless basis");
   if (problem.geometry) return dense_for("interpolated geometry, where each element is a chart of its own");
-  if (problem.triangulation.grading != Rational(1)) return dense_for("a graded triangulation");
+  const bool is_graded = problem.triangulation.grading != Rational(1);
+  if (is_graded && !has_plane_charts(surface)) return dense_for("a graded triangulation of curved charts");
   if (problem.triangulation.events) return dense_for("a triangulation that is cut along events");
   if (const auto on_surface = obstacle_to_clusters(surface))
     return dense_for("the surface " + surface.name + ": " + *on_surface);
   const LinearSolver* solver = find_linear_solver(problem.solver.name);
   if (solver != nullptr && solver->proves()) {
+    if (is_graded) return dense_for("a proof on a graded triangulation");
     const auto unproved = obstacle_to_proved_clusters(surface);
     return unproved ? dense_for("a proof on the surface " + surface.name + ": " + *unproved) : std::nullopt;
   }
@@ -47,13 +54,13 @@ std::optional<Obstacle> obstacle(const Problem& problem, const Surface& surface)
 }
 
 /// How many leaves are near each of so many.
-std::uint64_t near_leaves(const Surface& surface, std::uint64_t leaves) {
+std::uint64_t near_leaves(const Surface& surface, bool is_graded, std::uint64_t leaves) {
   constexpr std::uint64_t most = 64;
   constexpr double at_edges = 600;
   constexpr std::uint64_t least_at_edges = 4;
-  const bool plane = std::all_of(surface.charts.begin(), surface.charts.end(),
-                                 [](const Chart& chart) { return chart.facts().plane.has_value(); });
-  if (!plane) return most;
+  constexpr std::uint64_t most_graded = 96;
+  if (is_graded) return most_graded;
+  if (!has_plane_charts(surface)) return most;
   const double near = at_edges / std::sqrt(static_cast<double>(std::max<std::uint64_t>(leaves, 1)));
   return std::clamp(static_cast<std::uint64_t>(near), least_at_edges, most);
 }
@@ -87,7 +94,7 @@ bool takes_clusters(const Problem& problem, std::uint64_t unknowns) {
 
 void plan_proved_clusters(MemoryPlan& plan, const Surface& surface, std::uint64_t unknowns,
                           std::uint64_t functions) {
-  plan_clusters(plan, surface, unknowns, functions);
+  plan_clusters(plan, surface, false, unknowns, functions);
   constexpr std::uint64_t near_leaves = 96;
   constexpr std::uint64_t node_bytes = 8192;
   const std::uint64_t leaf =
@@ -96,14 +103,16 @@ void plan_proved_clusters(MemoryPlan& plan, const Surface& surface, std::uint64_
   plan.add("enclosed couplings of clusters", unknowns, node_bytes);
 }
 
-void plan_clusters(MemoryPlan& plan, const Surface& surface, std::uint64_t unknowns,
+void plan_clusters(MemoryPlan& plan, const Surface& surface, bool is_graded, std::uint64_t unknowns,
                    std::uint64_t functions) {
   constexpr std::uint64_t node_bytes = 4096;
+  constexpr std::uint64_t matrix_bytes = 12288;
   const std::uint64_t leaf =
       functions << static_cast<unsigned>(2 * leaf_refinements(static_cast<std::size_t>(functions)));
   plan.add("near entries", unknowns,
-           saturated_product(near_leaves(surface, unknowns / leaf) * leaf, sizeof(double)));
+           saturated_product(near_leaves(surface, is_graded, unknowns / leaf) * leaf, sizeof(double)));
   plan.add("couplings of clusters", unknowns, node_bytes);
+  if (is_graded) plan.add("matrices between clusters", unknowns, matrix_bytes);
 }
 
 }  // namespace radcert

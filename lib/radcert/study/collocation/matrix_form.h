@@ -18,9 +18,9 @@ namespace radcert {
 inline constexpr std::uint64_t most_dense_unknowns = 8192;
 
 /// Refuses a form that is not known, and `h2` where it does not serve the problem: a method that is no
-/// collocation on triangles, an interpolated geometry, a graded triangulation, a surface with an
-/// obstacle_to_clusters, or to_proved_clusters for a solver that proves, a solver that needs entries, a
-/// tolerance outside that of ClusterTolerance.
+/// collocation on triangles, an interpolated geometry, a graded triangulation of curved charts or for a
+/// solver that proves, a surface with an obstacle_to_clusters, or to_proved_clusters for a solver that
+/// proves, a solver that needs entries, a tolerance outside that of ClusterTolerance.
 /// Result    returns, or throws InputError at the place in the problem
 void check_operator(const Problem& problem, const Surface& surface);
 
@@ -35,11 +35,14 @@ void check_operator(const Problem& problem, const Surface& surface);
 
 /// Adds what a ClusterOperator will need, before it is made.
 /// Maths     near entries: 64 leaves near each leaf, on a surface of plane charts, where only leaves at edges
-///           are near each other, at most 600 n^(-1/2), but 4 at least, of n leaves; nodes: 4 kB an unknown
-/// Source    apps/bench/README.md has what was measured: at most 58 leaves; on the cube 222 n^(-1/2)
+///           are near each other, at most 600 n^(-1/2), but 4 at least, of n leaves, or 96 on graded ones;
+///           nodes: 4 kB an unknown, and 12 kB of matrices where it is graded
+/// Source    apps/bench/README.md has what was measured: at most 58 leaves; on the cube 222 n^(-1/2); 67
+///           where it is graded
 /// Limits    an estimate. Once the lists are made they are counted, and more than there is memory for is
 ///           refused before any entry is integrated
-void plan_clusters(MemoryPlan& plan, const Surface& surface, std::uint64_t unknowns, std::uint64_t functions);
+void plan_clusters(MemoryPlan& plan, const Surface& surface, bool is_graded, std::uint64_t unknowns,
+                   std::uint64_t functions);
 /// With EnclosedClusters beside it, for a solver that proves.
 void plan_proved_clusters(MemoryPlan& plan, const Surface& surface, std::uint64_t unknowns,
                           std::uint64_t functions);

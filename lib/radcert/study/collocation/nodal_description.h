@@ -18,8 +18,8 @@ struct CollocationValues {
   std::span<const double> u;  ///< empty without `solution`
 };
 
-/// What is said of u_n in numbers, its values at the nodes known within a radius or not: describe_numbers, and
-/// with a radius the solution_radius and the radius of the means that follows from it.
+/// What is said of u_n in numbers, its values at the nodes known within a radius or not: describe_numbers,
+/// and with a radius the solution_radius and the radius of the means that follows from it.
 /// Result    fills these fields of the result of this level and no others
 /// Limits    rounded, not enclosed
 void describe_numbers(const Problem& problem, const NodalFunction& u_n, const std::optional<double>& radius,

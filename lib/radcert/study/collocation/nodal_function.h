@@ -13,8 +13,8 @@ namespace radcert {
 /// The computed function u_n on a surface: nodal values over a triangulation.
 /// Maths     u_n(m_k(x)) = sum_j u_n(v_{k,j}) l_j(x)
 /// Source    [ac98, (39)]
-/// Requires  values in the order of collocation_nodes; of the part of the elements here, where ranks share them
-/// Result    rounded; refers to surface, triangulation, values and ranks, which must outlive it
+/// Requires  values in the order of collocation_nodes; of the elements that are here, where ranks share them
+/// Result    rounded; refers to surface, triangulation, values and ranks, which outlive it
 /// Limits    two-valued on the sides of triangles unless the inset is 0
 class NodalFunction {
 public:
