@@ -17,8 +17,8 @@ namespace radcert {
 /// The polynomials of one triangle in those of another.
 /// Maths     down(m, n): D_n(x) = sum_m down(m, n) D_m(y) up to the degree, x the coordinates of a point in
 ///           `from`, y those in `to`; up(n, m) = share down(m, n), share the area of `to` over that of
-///           `from`: the mean over `from` of f D_n is sum_m up(n, m) times the mean over `to` of f D_m where f
-///           vanishes outside of both
+///           `from`: the mean over `from` of f D_n is sum_m up(n, m) times the mean over `to` of f D_m where
+///           f vanishes outside of both
 /// Source    interpolation at the nodes of `to`, exact for polynomials of the degree
 /// Requires  triangles in one parameter plane, 0 <= degree <= largest_mode_degree
 /// Result    rows padded by zeros to whole packs; rounded. Where `to` reaches out of `from`, D_n and column n

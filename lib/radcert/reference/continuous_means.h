@@ -35,8 +35,8 @@ struct ScenePolygon {
 /// A radiosity equation whose solution is not known and whose means, or values, are enclosed.
 /// Maths     u = E + rho T u on an ellipsoid or, where there is none, on the closed surface of the polygons,
 ///           T u(P) = (1/pi) Int V G u dS, V = 1 where P and Q see each other, else 0; E(P) = (offset +
-///           slope . P)^power on the piece `emitting`, else 0; on all pieces where it is empty. rho = 0 on the
-///           piece `black`, which closes an open surface
+///           slope . P)^power on the piece `emitting`, else 0; on all pieces where it is empty. rho = 0 on
+///           the piece `black`, which closes an open surface
 /// Result    plain data, exact
 struct ContinuousScene {
   std::string name;
