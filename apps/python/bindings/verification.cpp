@@ -54,7 +54,7 @@ void add_verification(py::module_& module) {
       .def_property_readonly(
           "recorded",
           [](const ClaimReport& claim) { return std::string(verification::name(claim.recorded)); })
-      .def_property_readonly("as_recorded", &ClaimReport::as_recorded)
+      .def_property_readonly("as_recorded", [](const ClaimReport& claim) { return claim.as_recorded(); })
       .def_property_readonly(
           "value",
           [](const ClaimReport& claim) -> py::object {
@@ -75,7 +75,7 @@ void add_verification(py::module_& module) {
       });
   py::class_<Report>(module, "Report")
       .def_readonly("statements", &Report::claims)
-      .def_property_readonly("as_recorded", &Report::as_recorded)
+      .def_property_readonly("as_recorded", [](const Report& report) { return report.as_recorded(); })
       .def("text", [](const Report& report) { return verification::report_table(report); })
       .def("json", [](const Report& report) {
         return object_of(verification::report_json(report, "radcert.verify"));

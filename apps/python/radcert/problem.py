@@ -170,7 +170,7 @@ def _stated(surface, basis, reflectivity, solution, emission, levels, pattern, g
     for key, value in (("operator", operator), ("solver", solver)):
         if value is not None:
             document[key] = {"name": value} if isinstance(value, str) else value
-    problem = _core.Problem(document, "problem", choice, nodes, functions, "basis" in by_functions)
+    problem = _core.Problem.of_document(document, "problem", choice, nodes, functions, "basis" in by_functions)
     return problem, sorted([*by_functions, *functions])
 
 
