@@ -173,9 +173,7 @@ std::string svg_of(const Solution& solution, const std::string& title) {
   return svg_text(plot);
 }
 
-py::list fits_of(const Solution& solution) {
-  return object_of(orders_json(solution.result.orders)).cast<py::list>();
-}
+py::object fits_of(const Solution& solution) { return object_of(orders_json(solution.result.orders)); }
 
 }  // namespace
 

@@ -290,8 +290,8 @@ class Solution:
         return self._solution.orders(error)
 
     @property
-    def fits(self) -> list[dict[str, Any]]:
-        """Fitted orders: a list of dicts as the JSON file has them."""
+    def fits(self) -> dict[str, dict[str, Any]]:
+        """Fitted orders by the name of the error: dicts with order, halfwidth, levels, as the JSON file has them."""
         return self._solution.fits()
 
     def __len__(self) -> int:
