@@ -233,7 +233,8 @@ class Solution:
 
     levels, elements, unknowns: (k,) ints. mesh_size: (k,) floats, the largest diameter of a triangle in the parameter plane.
     errors: dict of ``Approximations`` by name, for a problem with a solution: "discretisation_error", max |K(I - P_n)u| over
-    the nodes; "node_error", max |u - u_n| over the nodes; "uniform_error", over a sample of the surface. means: dict of
+    the nodes; "node_error", max |u - u_n| over the nodes; "uniform_error", over a sample of the surface; "l2_error", the
+    norm of u - u_n in L2; "mean_error", the largest error of the means. A radius that is not known is infinite. means: dict of
     ``Approximations`` by piece, the means of u_n. norm_K: ``Approximations``. seconds: (k,) floats.
     ``solution[i]`` are the values of the i-th level. by_functions: the parts of the problem that were functions of Python;
     what follows from them is estimated, never guaranteed.
