@@ -42,6 +42,15 @@ class Expressions(ModuleTest):
         x, _, _ = rc.xyz()
         self.assertEqual(str(0.1 * x), "3602879701896397/36028797018963968*x")
 
+    def test_every_function_is_that_of_numpy(self):
+        x, y, _ = rc.xyz()
+        points = np.random.default_rng(1).uniform(0.1, 1.5, (50, 3))
+        for ours, theirs in [(rc.sqrt, np.sqrt), (rc.exp, np.exp), (rc.log, np.log), (rc.sin, np.sin), (rc.cos, np.cos),
+                             (rc.tan, np.tan), (rc.atan, np.arctan)]:
+            np.testing.assert_allclose(ours(x)(points), theirs(points[:, 0]), rtol=1e-15, atol=1e-16, err_msg=theirs.__name__)
+        for ours, theirs in [(rc.minimum, np.minimum), (rc.maximum, np.maximum)]:
+            np.testing.assert_array_equal(ours(x, y)(points), theirs(points[:, 0], points[:, 1]))
+
     def test_values_are_those_of_python(self):
         # Random trees: Python's own operators on floats against the text that the library parses and evaluates.
         numbers = random.Random(5)

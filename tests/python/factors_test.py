@@ -161,6 +161,21 @@ class Comparisons(ModuleTest):
         self.refused(lambda: self.factors.compare(value, tolerance=-1), "tolerance")
         self.refused(lambda: self.factors.compare(value, tolerance=float("nan")), "tolerance")
 
+    def test_a_cupboard_without_a_bottom_is_told_what_it_lacks(self):
+        points, triangles, groups = unit_cube()
+        low, high = np.array([0.375, 0.375, 0]), np.array([0.625, 0.75, 0.5])
+        corners = low + np.array(points) * (high - low)
+        outwards = [(c + 8, b + 8, a + 8) for a, b, c in triangles]
+        with_bottom = rc.Mesh((points + corners.tolist(), triangles + outwards, groups + ["cupboard"] * 12))
+        bottom = [k for k, (a, b, c) in enumerate(outwards) if corners[[a - 8, b - 8, c - 8], 2].max() == 0]
+        sides = [triangle for k, triangle in enumerate(outwards) if k not in bottom]
+        with self.assertWarnsRegex(rc.FactorWarning, "contact of floor and cupboard"):
+            found = with_bottom.factors(by="group")
+        self.assertLess(found.closure.max(), 1e-4)
+        for front in ("auto", "right-hand"):
+            without = rc.Mesh((points + corners.tolist(), triangles + sides, groups + ["cupboard"] * 10), front=front)
+            self.refused(lambda without=without: without.factors(by="group"), "needs a bottom of its own")
+
 
 if __name__ == "__main__":
     unittest.main()

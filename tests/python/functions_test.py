@@ -7,6 +7,7 @@ import unittest
 
 import numpy as np
 import radcert as rc
+from radcert import _core
 
 from module import ModuleTest
 
@@ -24,6 +25,21 @@ class Functions(ModuleTest):
                                   levels=[0, 1])
         self.problem = self.formula.replace(solution=exponential)
         self.room = rc.Problem(rc.box(1, 2, 3), reflectivity="1/2", emission=1 + x*y, levels=[1])
+
+    def test_an_array_of_doubles_in_rows_is_read_where_it_lies(self):
+        points = np.random.default_rng(1).uniform(size=(6, 3))
+        seen = []
+
+        def first(rows):
+            seen.append(rows)
+            return rows[:, 0]
+
+        for array, shared in ((points, True), (points[2:], True), (points[::2], False), (np.asfortranarray(points), False),
+                              (points.astype(np.float32), False)):
+            values = _core.function_values(first, array, "place")
+            self.assertEqual(np.shares_memory(seen[-1], array), shared)
+            np.testing.assert_array_equal(seen[-1], array)
+            np.testing.assert_array_equal(values, array[:, 0])
 
     def test_a_solution_gives_the_errors_of_its_formula(self):
         exact, found = self.formula.solve(), self.problem.solve()

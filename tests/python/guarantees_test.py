@@ -27,6 +27,7 @@ class Guarantees(ModuleTest):
     def test_means_are_proved_and_those_of_the_program(self):
         enclosure = self.cube.guarantee("0.05")
         self.assertTrue(enclosure.reached)
+        self.assertEqual((enclosure.wanted, enclosure.hindrance), (rc.Q("0.05"), ""))
         self.assertLessEqual(enclosure.width, 0.05)
         self.assertEqual(set(enclosure.means), set(rc.cube().pieces))
         for mean in enclosure.means.values():

@@ -54,7 +54,11 @@ class Meshes(ModuleTest):
             mesh.factors().surfaces_to_csv(self.folder / "surfaces.csv")
             rows = (self.folder / "surfaces.csv").read_text(encoding="utf-8").splitlines()
             self.assertEqual({row.split(",")[-1] for row in rows[1:]}, {area_unit})
-        self.refused(lambda: rc.Mesh(unit_cube(), unit="km"), "unit", "mm, cm, m, in")
+        for source in (unit_cube(), file):
+            self.refused(lambda source=source: rc.Mesh(source, unit="km", repair=["align"], two_sided=["floor"]),
+                         "unit", "mm, cm, m, in")
+            self.refused(lambda source=source: rc.Mesh(source, angle=None, repair=["align"], two_sided=["floor"]),
+                         "angle", "an angle in degrees")
 
     def test_a_room_that_was_turned_is_aligned(self):
         points, triangles, groups = unit_cube()

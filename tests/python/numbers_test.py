@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Exact numbers, balls and reference values."""
+import sys
+import types
 import unittest
 from decimal import Decimal
 from fractions import Fraction
+from unittest import mock
 
 import numpy as np
 import radcert as rc
@@ -112,6 +115,17 @@ class References(ModuleTest):
         self.refused(lambda: rc.reference("coaxial_disks_1_1_1", distance=1), "is one value")
         self.refused(lambda: rc.reference("edge_exponent_90", 10, rho="1e-30"), "was not reached",
                      error=rc.AccuracyNotReached)
+
+    def test_python_flint_is_given_the_ball_exactly(self):
+        # A stand-in that keeps what flint.arb takes: pairs (mantissa, exponent).
+        given = []
+        with mock.patch.dict(sys.modules, {"flint": types.SimpleNamespace(arb=lambda middle, radius: given.append((middle, radius)))}):
+            value = rc.reference("cube_opposite_faces", 40)
+            value.to_arb()
+            exact = [rc.Q(mantissa) * rc.Q(2) ** exponent for mantissa, exponent in given.pop()]
+            self.assertEqual(exact, [value.ball.midpoint, value.ball.radius])
+        with mock.patch.dict(sys.modules, {"flint": None}), self.assertRaises(ImportError):
+            value.to_arb()
 
     def test_python_flint_takes_a_ball_where_it_is_there(self):
         try:

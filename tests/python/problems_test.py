@@ -115,6 +115,9 @@ class Problems(ModuleTest):
             path = self.folder / name
             getattr(solution, method)(path)
             self.assertIn(words, path.read_text(encoding="utf-8"))
+        self.assertEqual(solution.fits, solution.to_json()["orders"])
+        self.assertEqual(set(solution.fits), {"discretisation_error", "node_error"})
+        self.assertEqual((solution.seconds.shape, bool((solution.seconds > 0).all())), ((2,), True))
         self.assertIn("<svg", solution.plot()._repr_svg_())
         self.refused(lambda: self.room.solve([0]).plot(), "has no error that is positive")
 

@@ -19,6 +19,8 @@ class PyProject(ModuleTest):
 
     def test_the_version_is_that_of_the_library(self):
         self.assertEqual(self.project["project"]["version"], rc.__version__)
+        least = self.project["project"]["requires-python"].removeprefix(">=")
+        self.assertIn(f"find_package(Python {least} ", self.cmake)
 
     def test_the_sources_are_those_of_the_checkout(self):
         self.assertTrue((SOURCE / "apps" / "python" / self.build["cmake"]["source-dir"] / "CMakeLists.txt").samefile(

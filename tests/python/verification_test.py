@@ -23,6 +23,14 @@ class Verification(ModuleTest):
         ours = report.to_json()
         self.assertEqual(without(ours, "command", "timing"), without(theirs, "command", "timing"))
 
+    def test_all_claims_of_the_papers_are_listed(self):
+        listed = rc.claims()
+        self.assertEqual([claim["name"] for claim in listed],
+                         [entry["name"] for entry in self.program("list", "claims")["entries"]])
+        table = next(claim for claim in listed if claim["name"] == "ac98/table_1")
+        self.assertIn("ac98/table_1.alpha_1_6.n4.discretisation_error", table["cells"])
+        self.assertEqual([len(rc.verify(name).statements) for name in (table["cells"][0], listed[0]["name"])], [1, 1])
+
     def test_another_verdict_fails_a_test(self):
         file = self.claims / "claims.toml"
         text = file.read_text(encoding="utf-8")

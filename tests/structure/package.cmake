@@ -1,5 +1,5 @@
-# Packs the Debian package, unpacks it into a folder, and uses from there what it brings: the program, the module of
-# Python, the libraries for C and C++.
+# Packs the Debian package, has dpkg install it into a clean root, and uses from there what it brings: the program, the
+# module of Python, the libraries for C and C++. At the end dpkg removes it, and nothing is left.
 # cmake -D root= -D scratch= -D build= -D cpack= -D compiler= -D c_compiler= -D generator= -D version= -D python= -P package.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -22,13 +22,29 @@ file(MAKE_DIRECTORY "${scratch}")
 # Packed in a hurry: what a reader downloads is packed by xz.
 step("${cpack}" --config "${build}/CPackConfig.cmake" -G DEB -B "${scratch}/packed" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip)
 file(GLOB package "${scratch}/packed/radcert_${version}_*.deb")
-step(dpkg-deb --extract "${package}" "${scratch}/root")
 set(usr "${scratch}/root/usr")
 
+# The root has files of its own and this machine's list of packages, so that what the package depends upon has to be among
+# these. It has no scripts: dpkg needs no change of root, and no privilege.
+set(state "${scratch}/root/var/lib/dpkg")
+file(MAKE_DIRECTORY "${state}/updates" "${state}/info")
+set(dpkg dpkg "--root=${scratch}/root" "--log=${scratch}/log" --force-not-root --force-script-chrootless --force-bad-path)
+if(EXISTS /var/lib/dpkg/status)
+  file(COPY /var/lib/dpkg/status DESTINATION "${state}")
+else()
+  file(TOUCH "${state}/status")
+  list(APPEND dpkg --force-depends)
+endif()
+step(${dpkg} --install "${package}")
+step(dpkg-query "--admindir=${state}" --show "--showformat=\${db:Status-Status}" radcert)
+require("^installed$")
+
 # Nothing outside /usr, and what it depends upon by name, found in the shared objects or stated.
-file(GLOB outside RELATIVE "${scratch}/root" "${scratch}/root/*")
-if(NOT outside STREQUAL "usr")
-  message(FATAL_ERROR "the package has ${outside}")
+step(dpkg-query "--admindir=${state}" --listfiles radcert)
+string(REGEX MATCHALL "[^\n]+" files "${output}")
+list(FILTER files EXCLUDE REGEX "^/(\\.|usr|usr/.*)$")
+if(files)
+  message(FATAL_ERROR "the package has ${files}")
 endif()
 step(dpkg-deb --field "${package}" Package Version Depends Maintainer Description)
 require("Package: radcert\n.*|Version: ${version}")
@@ -83,5 +99,10 @@ step("${scratch}/both/build/in_c")
 require("floor to slope: 0[.]57735026")
 step("${scratch}/both/build/in_cpp")
 require("^radcert ${version}\n$")
-# What was unpacked is large, and says nothing any more.
+step(${dpkg} --remove radcert)
+if(EXISTS "${usr}")
+  file(GLOB_RECURSE left "${usr}/*")
+  message(FATAL_ERROR "dpkg has left ${left}")
+endif()
+# What was packed is large, and says nothing any more.
 file(REMOVE_RECURSE "${scratch}")

@@ -68,6 +68,7 @@ called '^radcert verify$'
 call 0 debian test
 called 'apt-get .*install.* gamma delta$'
 called 'RADCERT_TESTS=ON'
+said 'PYTHONPATH='
 called '^ctest '
 CTEST_RESULT=8 call 1 debian test
 

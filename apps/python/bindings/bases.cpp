@@ -104,12 +104,14 @@ void add_bases(py::module_& module) {
     return compute(py::none(), [&](Progress&) { return app::symmetric_record(wanted); });
   });
   py::class_<Nodes>(module, "Nodes")
-      .def(py::init([](const std::string& name, const py::object& document) {
-             const std::string text = with_source(name, [&] { return json_of(document).compact(); });
-             return Nodes{name, std::make_shared<const NodeFile>(
-                                    compute(py::none(), [&](Progress&) { return parse_nodes(text, name); }))};
-           }),
-           py::arg("name"), py::arg("document"))
+      .def_static(
+          "of_document",
+          [](const std::string& name, const py::object& document) {
+            const std::string text = with_source(name, [&] { return json_of(document).compact(); });
+            return Nodes{name, std::make_shared<const NodeFile>(
+                                   compute(py::none(), [&](Progress&) { return parse_nodes(text, name); }))};
+          },
+          py::arg("name"), py::arg("document"))
       .def_static("read",
                   [](const std::string& file) {
                     return Nodes{file, std::make_shared<const NodeFile>(

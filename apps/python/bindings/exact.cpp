@@ -113,7 +113,7 @@ void add_exact(py::module_& module) {
       .def_property_readonly(
           "radius_binary", [](const Ball& ball) { return binary_pair(finite(ball).radius_binary()); },
           "(mantissa, exponent): mantissa 2^exponent, exactly")
-      .def_property_readonly("is_exact", &Ball::is_exact)
+      .def_property_readonly("is_exact", [](const Ball& ball) { return ball.is_exact(); })
       .def(
           "decimal",
           [](const Ball& ball, int digits) {

@@ -172,7 +172,7 @@ void add_comparison(py::module_& module) {
       .def_property_readonly("guaranteed", [](const FactorComparison& pair) { return pair.ours.guaranteed; })
       .def_property_readonly("theirs", [](const FactorComparison& pair) { return pair.theirs.value; })
       .def_property_readonly("halfwidth", [](const FactorComparison& pair) { return pair.theirs.halfwidth; })
-      .def_property_readonly("difference", &FactorComparison::difference)
+      .def_property_readonly("difference", [](const FactorComparison& pair) { return pair.difference(); })
       .def_property_readonly(
           "verdict", [](const FactorComparison& pair) { return agreement_word(pair.agreement); },
           "\"agrees\", \"differs\" or \"undecided\"")

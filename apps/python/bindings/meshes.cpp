@@ -59,6 +59,29 @@ MeshFile file_of_arrays(const std::string& name, const py::handle& points, const
                         name);
 }
 
+/// How a mesh is to be read. Each part is assigned by itself: where an initializer throws after one in braces
+/// without its type, GCC 12 destroys the members of that one twice.
+Mesh unread_mesh(const std::string& name, const std::string& front, const std::vector<std::string>& repair,
+                 const std::vector<std::string>& two_sided, const py::object& angle,
+                 const std::string& unit) {
+  Mesh mesh;
+  mesh.name = name;
+  mesh.choice.repair = repair_of(repair);
+  mesh.choice.front = app::front_named(front);
+  mesh.choice.two_sided = two_sided;
+  mesh.angle = angle_of(angle);
+  mesh.unit = app::unit_of_lengths(unit, "unit");
+  return mesh;
+}
+
+Mesh mesh_of_file(const std::string& name, const std::string& front, const std::vector<std::string>& repair,
+                  const std::vector<std::string>& two_sided, const py::object& angle,
+                  const std::string& unit) {
+  Mesh mesh = unread_mesh(name, front, repair, two_sided, angle, unit);
+  mesh.file = compute(py::none(), [&](Progress&) { return read_mesh_file(name); });
+  return mesh;
+}
+
 /// A piece or a group with its measures, as Python shows it.
 py::list measured(const Mesh& mesh, const std::string& by) {
   if (by != "piece" && by != "group")
@@ -129,35 +152,20 @@ void add_meshes(py::module_& module) {
   module.def("mesh_file_endings", mesh_file_endings);
   module.def("is_mesh_file_name", is_mesh_file_name);
   py::class_<Mesh>(module, "Mesh")
-      .def(py::init([](const std::string& name, const std::string& front,
-                       const std::vector<std::string>& repair, const std::vector<std::string>& two_sided,
-                       const py::object& angle, const std::string& unit) {
-             Mesh mesh{.name = name,
-                       .file = {},
-                       .choice = {.repair = repair_of(repair),
-                                  .front = app::front_named(front),
-                                  .two_sided = two_sided},
-                       .angle = angle_of(angle),
-                       .unit = app::unit_of_lengths(unit, "unit")};
-             mesh.file = compute(py::none(), [&](Progress&) { return read_mesh_file(name); });
-             return mesh;
-           }),
-           py::arg("file"), py::kw_only(), py::arg("front"), py::arg("repair"), py::arg("two_sided"),
-           py::arg("angle"), py::arg("unit"))
-      .def(py::init([](const std::string& name, const py::object& points, const py::object& triangles,
-                       const std::vector<std::string>& groups, const std::string& front,
-                       const std::vector<std::string>& repair, const std::vector<std::string>& two_sided,
-                       const py::object& angle, const std::string& unit) {
-             return Mesh{.name = name,
-                         .file = file_of_arrays(name, points, triangles, groups),
-                         .choice = {.repair = repair_of(repair),
-                                    .front = app::front_named(front),
-                                    .two_sided = two_sided},
-                         .angle = angle_of(angle),
-                         .unit = app::unit_of_lengths(unit, "unit")};
-           }),
-           py::arg("name"), py::arg("points"), py::arg("triangles"), py::arg("groups"), py::kw_only(),
-           py::arg("front"), py::arg("repair"), py::arg("two_sided"), py::arg("angle"), py::arg("unit"))
+      .def_static("read", mesh_of_file, py::arg("file"), py::kw_only(), py::arg("front"), py::arg("repair"),
+                  py::arg("two_sided"), py::arg("angle"), py::arg("unit"))
+      .def_static(
+          "of_arrays",
+          [](const std::string& name, const py::object& points, const py::object& triangles,
+             const std::vector<std::string>& groups, const std::string& front,
+             const std::vector<std::string>& repair, const std::vector<std::string>& two_sided,
+             const py::object& angle, const std::string& unit) {
+            Mesh mesh = unread_mesh(name, front, repair, two_sided, angle, unit);
+            mesh.file = file_of_arrays(name, points, triangles, groups);
+            return mesh;
+          },
+          py::arg("name"), py::arg("points"), py::arg("triangles"), py::arg("groups"), py::kw_only(),
+          py::arg("front"), py::arg("repair"), py::arg("two_sided"), py::arg("angle"), py::arg("unit"))
       .def_readonly("name", &Mesh::name)
       .def_property_readonly("format", [](const Mesh& mesh) { return mesh.file.format; })
       .def_property_readonly("digest", [](const Mesh& mesh) { return mesh.file.digest; })

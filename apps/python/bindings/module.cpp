@@ -24,4 +24,5 @@ PYBIND11_MODULE(_core, module) {
   add_guarantees(module);
   add_edges(module);
   add_verification(module);
+  seal_classes();
 }

@@ -38,6 +38,8 @@ OwnChart chart_from(const std::string& name, const py::object& map, const py::ob
                         .value = std::string(py::str(function->get_type().attr("__name__"))),
                         .problem = "cannot be called",
                         .allowed = "a function of parameters (n, 2)"});
+  if (name.empty())
+    throw InputError({.source = "chart", .pointer = "/name", .value = "", .allowed = "a name"});
   OwnMap own;
   own.points = [&map](std::span<const Parameters> at, OwnMap::Points points) {
     const DoubleArray found = called(map, rows_of(at), "/map", {3},
@@ -66,6 +68,12 @@ OwnChart chart_from(const std::string& name, const py::object& map, const py::ob
 /// A surface of charts, each with the name and the piece that it has there.
 SurfaceChoice surface_from(const std::string& name, const std::vector<OwnChart>& charts,
                            const std::vector<std::pair<std::string, std::string>>& names) {
+  if (names.size() != charts.size())
+    throw InputError(
+        {.source = name,
+         .pointer = "/names",
+         .value = std::to_string(names.size()) + " names",
+         .allowed = "a name and a piece a chart, of which there are " + std::to_string(charts.size())});
   std::vector<OwnChart> named = charts;
   for (std::size_t k = 0; k < named.size(); ++k) std::tie(named[k].name, named[k].piece) = names.at(k);
   return with_source(name, [&] {
@@ -84,8 +92,9 @@ SurfaceChoice surface_from(const std::string& name, const std::vector<OwnChart>&
 
 void add_own_surfaces(py::module_& module) {
   py::class_<OwnChart>(module, "OwnChart")
-      .def(py::init(&chart_from), py::arg("name"), py::arg("map"), py::arg("jacobian"))
-      .def_property_readonly("degrees", &OwnChart::degrees)
+
+      .def_static("of_map", chart_from, py::arg("name"), py::arg("map"), py::arg("jacobian"))
+      .def_property_readonly("degrees", [](const OwnChart& chart) { return chart.degrees(); })
       .def_readonly("residual", &OwnChart::residual)
       .def_readonly("tangent_residual", &OwnChart::tangent_residual);
   module.def("surface_of_charts", surface_from, py::arg("name"), py::arg("charts"), py::arg("names"));

@@ -174,7 +174,8 @@ void add_pictures(py::module_& module) {
          const std::array<std::int64_t, 2>& size, std::int64_t samples, std::optional<double> low,
          std::optional<double> high, const std::string& scale, bool words, const py::object& progress) {
         if (place >= solution.levels.size())
-          throw py::index_error("there are " + std::to_string(solution.levels.size()) + " levels");
+          refuse("level", std::to_string(place),
+                 "a place among " + std::to_string(solution.levels.size()) + " levels");
         const Wanted wanted{.position = position,
                             .look_at = look_at,
                             .up = up,

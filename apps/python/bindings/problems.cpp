@@ -84,8 +84,9 @@ void add_problems(py::module_& module) {
       .def_readonly("name", &SurfaceChoice::name)
       .def_property_readonly("pieces", [](const SurfaceChoice& surface) { return pieces_of(surface); });
   py::class_<PythonProblem>(module, "Problem")
-      .def(py::init(&problem_from), py::arg("document"), py::arg("source"), py::arg("surface"),
-           py::arg("nodes"), py::arg("functions"), py::arg("basis_by_functions"))
+
+      .def_static("of_document", problem_from, py::arg("document"), py::arg("source"), py::arg("surface"),
+                  py::arg("nodes"), py::arg("functions"), py::arg("basis_by_functions"))
       .def_static(
           "read",
           [](const std::string& file) {

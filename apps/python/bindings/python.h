@@ -31,4 +31,12 @@ void add_guarantees(py::module_& module);
 void add_edges(py::module_& module);
 void add_verification(py::module_& module);
 
+/// Lets no object of the bound classes be made, or change its class, but by the library; after all classes.
+/// Maths     pybind11 takes the memory of an object for the object: `__new__` without `__init__`, an
+///           assignment to `__class__`, and what `copy` and `pickle` do without being asked would let it read
+///           what is not there. Every object here comes from a function, so no class needs a constructor
+/// Result    `__new__` raises TypeError for each class, for what derives from it and for the base of all;
+///           assignments to `__class__` and to members of a class do so too
+void seal_classes();
+
 }  // namespace radcert::python

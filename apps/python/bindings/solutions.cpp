@@ -81,7 +81,10 @@ auto level_array(const Solution& solution, const Number& number) {
 }
 
 void require_place(std::size_t place, std::size_t count) {
-  if (place >= count) throw py::index_error("there are " + std::to_string(count) + " levels");
+  if (place < count) return;
+  throw InputError({.source = "level",
+                    .value = std::to_string(place),
+                    .allowed = "a place among " + std::to_string(count) + " levels"});
 }
 
 /// The values at the nodes of one level.
@@ -170,9 +173,7 @@ std::string svg_of(const Solution& solution, const std::string& title) {
   return svg_text(plot);
 }
 
-py::list fits_of(const Solution& solution) {
-  return object_of(orders_json(solution.result.orders)).cast<py::list>();
-}
+py::object fits_of(const Solution& solution) { return object_of(orders_json(solution.result.orders)); }
 
 }  // namespace
 

@@ -12,6 +12,7 @@
 #include "radcert/formats/result/stored_levels.h"
 #include "radcert/reference/operator_integral.h"
 #include "requests/store.h"
+#include "verification/framework/reading/paper.h"
 #include "verification/framework/run_verification.h"
 #include "verification/report/report_text.h"
 #include "work.h"
@@ -41,9 +42,26 @@ Report verify(const std::vector<std::string>& words, const std::string& budget, 
   });
 }
 
+/// The statements of the papers inside radcert: name, says, and the cells of a table.
+py::list claim_listing() {
+  py::list out;
+  for (const verification::Paper& paper : verification::embedded_paper_list()) {
+    const std::vector<std::string> labels = verification::statement_labels(paper);
+    for (const verification::Claim& claim : paper.claims) {
+      const std::string name = paper.key + "/" + claim.label;
+      py::list cells;
+      for (const std::string& label : labels)
+        if (label.starts_with(claim.label + ".")) cells.append(paper.key + "/" + label);
+      out.append(py::dict(py::arg("name") = name, py::arg("says") = claim.says, py::arg("cells") = cells));
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 void add_verification(py::module_& module) {
+  module.def("claims", claim_listing);
   module.def("verify", verify, py::arg("words"), py::arg("budget"), py::arg("store"), py::arg("progress"));
   py::class_<ClaimReport>(module, "Statement",
                           "What a run found of one statement, or of one cell of a table.")
@@ -54,7 +72,7 @@ void add_verification(py::module_& module) {
       .def_property_readonly(
           "recorded",
           [](const ClaimReport& claim) { return std::string(verification::name(claim.recorded)); })
-      .def_property_readonly("as_recorded", &ClaimReport::as_recorded)
+      .def_property_readonly("as_recorded", [](const ClaimReport& claim) { return claim.as_recorded(); })
       .def_property_readonly(
           "value",
           [](const ClaimReport& claim) -> py::object {
@@ -75,7 +93,7 @@ void add_verification(py::module_& module) {
       });
   py::class_<Report>(module, "Report")
       .def_readonly("statements", &Report::claims)
-      .def_property_readonly("as_recorded", &Report::as_recorded)
+      .def_property_readonly("as_recorded", [](const Report& report) { return report.as_recorded(); })
       .def("text", [](const Report& report) { return verification::report_table(report); })
       .def("json", [](const Report& report) {
         return object_of(verification::report_json(report, "radcert.verify"));

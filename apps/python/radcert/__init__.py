@@ -27,7 +27,7 @@ from .numbers import Approximations, Reference, reference, references
 from .problem import AtPoints, LevelValues, Problem, Solution
 from .progress import progress_bar
 from .surfaces import Chart, Surface, surface, surface_function, surfaces
-from .verification import Report, verify
+from .verification import Report, claims, verify
 
 __version__ = _core.version
 thread_count = _core.thread_count

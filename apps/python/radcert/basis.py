@@ -52,7 +52,7 @@ class Basis:
                 space = self.polynomials = [text for text, _ in found]
                 self.residual = max((residual for _, residual in found), default=0.0)
                 name = f"estimated, by functions of Python: {name}"
-            self._nodes = _core.Nodes(name, node_document(nodes, space))
+            self._nodes = _core.Nodes.of_document(name, node_document(nodes, space))
             self._document = None
         else:
             raise TypeError("a basis is a file of nodes, or nodes")

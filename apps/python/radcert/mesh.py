@@ -47,14 +47,14 @@ class Mesh:
         options = {"front": front, "repair": _words(repair), "two_sided": _words(two_sided), "angle": angle,
                    "unit": "" if unit is None else unit}
         if isinstance(source, (str, os.PathLike)):
-            self._mesh = _core.Mesh(os.fspath(source), **options)
+            self._mesh = _core.Mesh.read(os.fspath(source), **options)
             return
         if not isinstance(source, (tuple, list)) or len(source) not in (2, 3):
             raise TypeError("a mesh is the name of a file, (points, triangles) or (points, triangles, groups), not "
                             f"{type(source).__name__}")
         points, triangles, *rest = source
         groups = [str(each) for each in rest[0]] if rest else []
-        self._mesh = _core.Mesh(name, points, triangles, groups, **options)
+        self._mesh = _core.Mesh.of_arrays(name, points, triangles, groups, **options)
 
     @property
     def name(self) -> str:

@@ -170,7 +170,7 @@ def _stated(surface, basis, reflectivity, solution, emission, levels, pattern, g
     for key, value in (("operator", operator), ("solver", solver)):
         if value is not None:
             document[key] = {"name": value} if isinstance(value, str) else value
-    problem = _core.Problem(document, "problem", choice, nodes, functions, "basis" in by_functions)
+    problem = _core.Problem.of_document(document, "problem", choice, nodes, functions, "basis" in by_functions)
     return problem, sorted([*by_functions, *functions])
 
 
@@ -233,7 +233,8 @@ class Solution:
 
     levels, elements, unknowns: (k,) ints. mesh_size: (k,) floats, the largest diameter of a triangle in the parameter plane.
     errors: dict of ``Approximations`` by name, for a problem with a solution: "discretisation_error", max |K(I - P_n)u| over
-    the nodes; "node_error", max |u - u_n| over the nodes; "uniform_error", over a sample of the surface. means: dict of
+    the nodes; "node_error", max |u - u_n| over the nodes; "uniform_error", over a sample of the surface; "l2_error", the
+    norm of u - u_n in L2; "mean_error", the largest error of the means. A radius that is not known is infinite. means: dict of
     ``Approximations`` by piece, the means of u_n. norm_K: ``Approximations``. seconds: (k,) floats.
     ``solution[i]`` are the values of the i-th level. by_functions: the parts of the problem that were functions of Python;
     what follows from them is estimated, never guaranteed.
@@ -290,8 +291,8 @@ class Solution:
         return self._solution.orders(error)
 
     @property
-    def fits(self) -> list[dict[str, Any]]:
-        """Fitted orders: a list of dicts as the JSON file has them."""
+    def fits(self) -> dict[str, dict[str, Any]]:
+        """Fitted orders by the name of the error: dicts with order, halfwidth, levels, as the JSON file has them."""
         return self._solution.fits()
 
     def __len__(self) -> int:

@@ -29,7 +29,7 @@ class Chart:
                  name: Optional[str] = None, piece: Optional[str] = None) -> None:
         self.name = None if name is None else str(name)
         self.piece = self.name if piece is None else str(piece)
-        self._chart = _core.OwnChart(self.name or "chart", map, jacobian)
+        self._chart = _core.OwnChart.of_map(self.name or "chart", map, jacobian)
 
     @property
     def degrees(self) -> tuple[int, int]:

@@ -42,6 +42,12 @@ class Report:
         return f"<Report of {len(self.statements)} statements, {len(self.differing)} differ from their record>"
 
 
+def claims() -> list[dict[str, Any]]:
+    """The statements of the papers inside radcert: a list of dicts with name ("ac98/lemma_2_1"), says, and cells, the names of
+    a table's cells. ``verify`` takes each of these names."""
+    return _core.claims()
+
+
 def verify(*claims: Path, budget: str = "quick", store: Store = None, progress: Listener = None) -> Report:
     """Runs claims and holds each verdict against its record.
 

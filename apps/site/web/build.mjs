@@ -243,7 +243,7 @@ for (const page of extras) await write(page.name, pageText(page, site, facts.ver
 const languages = { ".cpp": "cpp", ".h": "cpp", ".json": "json", ".py": "python" };
 for (const [file, name] of [...sources].sort()) {
   const page = { name, title: file, isPlain: true,
-    html: `<h1 id="source">${escaped(file)}</h1>\n<pre class="example" tabindex="0"><code>${coloured(await read(file), languages[path.extname(file)])}</code></pre>\n` };
+    html: `<h1 id="source">${escaped(file)}</h1>\n<pre class="listing" tabindex="0"><code>${coloured(await read(file), languages[path.extname(file)])}</code></pre>\n` };
   await write(name, pageText(page, site, facts.version));
 }
 for (const [file, name] of images) await write(name, await readFile(path.join(checkout, file)));

@@ -42,6 +42,14 @@ void require_plates_once(const std::vector<std::string>& two_sided, OptionStyle 
                         .allowed = "each group once: it has two sides"});
 }
 
+/// The usual reason why a room with furniture cannot be read.
+std::string missing_bottom(const MeshTopology& topology) {
+  return topology.crowded_edges.empty()
+             ? ""
+             : "; a body that stands on a face needs a bottom of its own, and what "
+               "is covered is taken out";
+}
+
 MeshSurvey sound_survey(const std::string& name, const MeshFile& file, const FactorSceneChoice& choice,
                         OptionStyle style) {
   const MeshRepair repair = repair_named(choice.repair);
@@ -59,10 +67,11 @@ MeshSurvey sound_survey(const std::string& name, const MeshFile& file, const Fac
     require_scene(name, survey_mesh(file, default_sharp_degrees, repair).mesh);
   const std::string front = option_name(style, "front");
   if (survey.front.undecided && survey.topology.disagreeing_edges.empty())
-    throw InputError(
-        {.source = name,
-         .problem = *survey.front.undecided,
-         .allowed = front + " right-hand or " + front + " left-hand, where a file can be read both ways"});
+    throw InputError({.source = name,
+                      .problem = *survey.front.undecided,
+                      .allowed = front + " right-hand or " + front +
+                                 " left-hand, where a file can be read both ways" +
+                                 missing_bottom(survey.topology)});
   if (!survey.front.misoriented.empty())
     throw InputError({.source = name,
                       .problem = "has reversed normals: the triangles connected with the one at " +
@@ -96,8 +105,8 @@ bool is_open(const std::string& name, const FacetScene& scene, const std::string
     throw InputError(
         {.source = name,
          .problem = "has closed bodies, and with front " + front + " its light is outside of them and leaves",
-         .allowed =
-             option_name(style, "space") + " for what leaves, or another " + option_name(style, "front")});
+         .allowed = option_name(style, "space") + " for what leaves, or another " +
+                    option_name(style, "front") + missing_bottom(scene.topology())});
   }
   if (open.empty()) {
     if (space)
