@@ -26,6 +26,12 @@ class Examples(PageTest):
                         shutil.copy(os.path.join(EXAMPLES, name, file), self.path(file))
                 self.follow(page)
 
+    def test_the_first_page_solves_every_problem_of_its_folder(self):
+        folder = os.path.join(EXAMPLES, "01_solve")
+        solved = [words[1] for words, _ in commands(read(os.path.join(folder, "README.md"))) if words[0] == "solve"]
+        self.assertEqual(sorted(map(os.path.basename, solved)),
+                         sorted(name for name in os.listdir(folder) if name.endswith(".json")))
+
     def test_the_list_of_examples_and_the_readme_name_them_all_in_order(self):
         numbered = sorted(name for name in os.listdir(EXAMPLES) if re.match("[0-9]{2}_", name))
         self.assertEqual([name[:2] for name in numbered], [f"{i:02}" for i in range(1, len(numbered) + 1)])
