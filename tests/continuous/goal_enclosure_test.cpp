@@ -150,8 +150,8 @@ TEST(GoalEnclosure, OfFurtherEmissionsHasTheirResiduals) {
   PolyhedronProblem beside = by_itself;
   beside.further_emissions = {beside.emission};
   beside.emission.assign(4, constant_polynomial(Rational(0)));
-  const GoalEnclosure alone = enclose_means(by_itself, 4e-1);
-  const GoalEnclosure second = enclose_means(beside, 4e-1);
+  const GoalEnclosure alone = enclose_means(by_itself, 1e-1);
+  const GoalEnclosure second = enclose_means(beside, 1e-1);
   for (std::size_t k = 0; k < 4; ++k) {
     expect_contains(second.numbers[k], 0);
     EXPECT_GE(second.numbers[4 + k].radius, 0.99 * alone.numbers[k].radius);
@@ -181,7 +181,7 @@ TEST(GoalEnclosure, OfEmissionsByFaceIsReciprocal) {
     for (std::size_t j = 0; j < 4; ++j)
       asked.further_emissions[i][j] = constant_polynomial(Rational(i == j ? 1 : 0));
   const SectorScene scene(asked.panels);
-  const std::vector<Approximation> b = enclose_means(asked, 4e-1).numbers;
+  const std::vector<Approximation> b = enclose_means(asked, 1e-1).numbers;
   ASSERT_EQ(b.size(), 20U);
   const auto weight = [&](std::size_t j) {
     return scene.area(j) / asked.reflectivity[j].largest.to_double();
