@@ -35,10 +35,8 @@ class Meshless(ProgramTest):
             self.assertIn(words, done.stderr.decode())
         self.assertNotIn("nan", done.stdout.decode().lower())
 
-    def test_every_command_of_the_page_works(self):
+    def test_every_command_of_the_page_works_and_errors_fall_from_level_to_level(self):
         self.expect_commands_of(PAGE, 5)
-
-    def test_errors_fall_from_level_to_level(self):
         result = self.result_of("problem.json")
         sites = [level["unknowns"] for level in result["levels"]]
         self.assertGreater(sites[1], 3 * sites[0])

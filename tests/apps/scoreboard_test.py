@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""radcert experiment scoreboard, run once: every cell, the frontiers anew, and what stands where."""
+"""radcert experiment scoreboard, run once to its first level: every cell, the frontiers anew, and what stands where."""
 import csv
 import io
 import json
@@ -21,7 +21,7 @@ class Scoreboard(ProgramTest):
             return file.read()
 
     def test_it_is_whole_and_marks_what_nothing_beats(self):
-        table = self.expect(0, "experiment", "scoreboard", "--out", "board")
+        table = self.expect(0, "experiment", "scoreboard", "--finest", "1", "--out", "board")
         board = json.loads(self.content("board/scoreboard.json"))
         jsonschema.validate(board, json.loads(self.expect(0, "schema", "scoreboard")))
         problems = [problem["name"] for problem in board["problems"]]
@@ -89,8 +89,15 @@ class Scoreboard(ProgramTest):
         self.assertIn("cube_mean_error_against_unknowns.svg", names)
 
         # From the store, on one thread: all but the seconds is the same.
-        self.expect(0, "experiment", "scoreboard", "--out", "again", "--threads", "1")
+        self.expect(0, "experiment", "scoreboard", "--finest", "1", "--out", "again", "--threads", "1")
         self.assertEqual(self.content("again/scoreboard.csv"), self.content("board/scoreboard.csv"))
+
+    def test_other_levels_are_refused_by_name(self):
+        for words in (["scoreboard", "--finest", "0"], ["scoreboard", "--finest", "7"], ["scoreboard", "--finest", "x"],
+                      ["file.json", "--finest", "1"]):
+            done = self.run_program("experiment", *words)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("--finest", done.stderr.decode())
 
 
 if __name__ == "__main__":

@@ -158,7 +158,7 @@ Judgement judge(const Instance& x) {
 
 TEST(CertificateAttack, FalseClaimsAreRefused) {
   const Count count = hold(Attack<Instance>{.name = "claims of certificates",
-                                            .usual_instances = 10,
+                                            .usual_instances = 5,
                                             .make = drawn,
                                             .judge = judge,
                                             .text = text,

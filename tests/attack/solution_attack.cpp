@@ -217,7 +217,7 @@ Lit drawn_with_two_faces(Draw& draw, long least, std::size_t range) {
 
 Lit drawn_lit(Draw& draw) {
   Lit x = drawn_with_two_faces(draw, 20, 50);
-  x.scene.width = 0.3;
+  x.scene.width = 1;
   for (long& weight : x.weights) weight = 2 + static_cast<long>(draw.below(5));
   bend(x.scene, draw);
   return x;
@@ -269,7 +269,7 @@ Corner drawn_corner(Draw& draw) {
   x.reflectivity = 20 + static_cast<long>(draw.below(60));
   for (std::size_t k = 0; k < 8; ++k)
     x.emission.push_back(draw.below(2) == 0 ? 0 : static_cast<long>(draw.below(200)) - 50);
-  x.width = 0.03 + 0.1 * draw.unit();
+  x.width = 0.1 + 0.3 * draw.unit();
   return x;
 }
 
@@ -403,7 +403,7 @@ TEST(SolutionAttack, ValuesOnPolyhedraMakeAFurnace) {
 TEST(SolutionAttack, EnclosuresOnPolyhedraHold) {
   hold(Attack<Instance>{
       .name = "solutions on polyhedra",
-      .usual_instances = 3,
+      .usual_instances = 2,
       .make = drawn,
       .judge = [](const Instance& x) { return x.emission.empty() ? judge_furnace(x) : judge_balance(x); },
       .text = text,

@@ -30,6 +30,16 @@ std::string text_of(const Report& report) {
   return report.refusal ? report.refusal->pointer + ": " + report.refusal->says : "verified";
 }
 
+/// The part that is this element.
+Part part_with(std::size_t element, std::size_t count) {
+  Part part{.elements = 1, .seed = {}};
+  for (int k = 0;; ++k) {
+    part.seed = std::to_string(k);
+    const std::vector<std::size_t> chosen = chosen_elements(count, part);
+    if (std::find(chosen.begin(), chosen.end(), element) != chosen.end()) return part;
+  }
+}
+
 bool holds(const Enclosure& mean, const Rational& value) { return abs(mean.midpoint - value) <= mean.radius; }
 
 PolyhedronProblem one_face_emits() {
@@ -37,7 +47,7 @@ PolyhedronProblem one_face_emits() {
 }
 
 const PolyhedronCertificate& small() {
-  static const PolyhedronCertificate made = test::certified_solution(one_face_emits(), "tetrahedron", 0.15);
+  static const PolyhedronCertificate made = test::certified_solution(one_face_emits(), "tetrahedron", 0.3);
   return made;
 }
 
@@ -45,7 +55,7 @@ TEST(Check, VerifiesWhatTheSearchFound) {
   const Report report = check(small(), {.elements = all, .seed = {}});
   EXPECT_FALSE(report.refusal) << text_of(report);
   EXPECT_EQ(report.looked_at.size(), small().elements.size());
-  EXPECT_LE(small().width, Rational(1, 5));
+  EXPECT_LE(small().width, Rational(2, 5));
   // Light that is emitted leaves by absorption: Int (1/rho - 1) u = Int E/rho, faces alike.
   Rational middle = 0;
   Rational radius = 0;
@@ -60,9 +70,9 @@ TEST(Check, VerifiesOnesInFurnaces) {
   for (const auto& [name, rho] :
        {std::pair("tetrahedron", Rational(1, 4)), std::pair("cube", Rational(2, 3))}) {
     const PolyhedronProblem furnace = test::constant_problem(name, rho, {Rational(1) - rho});
-    const PolyhedronCertificate c = test::certified_solution(furnace, name, 0.1);
+    const PolyhedronCertificate c = test::certified_solution(furnace, name, 0.4);
     for (const Enclosure& mean : c.enclosures) EXPECT_TRUE(holds(mean, 1)) << name;
-    const Report report = check(c, {.elements = 12, .seed = "furnace"});
+    const Report report = check(c, {.elements = 6, .seed = "furnace"});
     EXPECT_FALSE(report.refusal) << name << " " << text_of(report);
   }
 }
@@ -75,8 +85,8 @@ TEST(Check, VerifiesFacesThatReflectDifferentlyAndPolynomials) {
   problem.emission[2](0, 0) = Rational(1);
   problem.emission[2](1, 0) = Rational(-1, 3);
   problem.emission[2](1, 1) = Rational(1, 2);
-  const PolyhedronCertificate c = test::certified_solution(problem, "box", 0.5);
-  const Report report = check(c, {.elements = 16, .seed = "box"});
+  const PolyhedronCertificate c = test::certified_solution(problem, "box", 1.5);
+  const Report report = check(c, {.elements = 8, .seed = "box"});
   EXPECT_FALSE(report.refusal) << text_of(report);
 }
 
@@ -112,12 +122,12 @@ TEST(Summed, IsWhatTheTheoremSays) {
 /// The residual of u = 1 - d in a furnace is d/2 on every face: claims hold just above that, and not below.
 TEST(Check, IsSharpWhereResidualsAreKnown) {
   for (const std::string name : {"tetrahedron", "cube"}) {
-    const Part part{.elements = 6, .seed = "sharp"};
+    const Part part{.elements = 3, .seed = "sharp"};
     const Report above = check(test::furnace_certificate(name, 0.25, 0.25, 1.02, 1e-3), part);
     EXPECT_FALSE(above.refusal) << name << " " << text_of(above);
     EXPECT_TRUE(check(test::furnace_certificate(name, 0.25, 0.25, 0.999, 1e-3), part).refusal) << name;
     PolyhedronCertificate shifted = test::furnace_certificate(name, 0.25, 0.25, 1.02, 1e-3);
-    const std::size_t e = chosen_elements(shifted.elements.size(), part)[3];
+    const std::size_t e = chosen_elements(shifted.elements.size(), part)[1];
     shifted.claims[e].products[1] += 1.05 * shifted.claims[e].radii[1];
     shifted.sums.radii[1] *= 1.05;
     shifted.enclosures[1].radius *= Rational(2);
@@ -165,7 +175,7 @@ TEST(Check, IsSharpForTheKernelsOfPoints) {
       ++tried;
       PolyhedronCertificate one = below;
       one.claims[e].norms[1] *= 0.98 / 1.02;
-      const Report report = check(one, part);
+      const Report report = check(one, part_with(e, one.elements.size()));
       ASSERT_TRUE(report.refusal) << name;
       EXPECT_EQ(report.refusal->pointer, "/claims/" + std::to_string(e) + "/norms/1");
       if (tried == 2) break;
@@ -178,15 +188,15 @@ TEST(Check, VerifiesValuesThatASearchFound) {
   furnace.reflectivity[2] = Rational(0);
   furnace.emission[2] = constant_polynomial(Rational(1));
   const std::vector<SolutionPoint> points{{1, furnace.panels[1].centre}, {2, furnace.panels[2].centre}};
-  const GoalEnclosure found = enclose_values(furnace, points, 0.2, {}, true);
+  const GoalEnclosure found = enclose_values(furnace, points, 0.5, {}, true);
   const PolyhedronCertificate c =
       polyhedron_certificate(furnace, test::names_of("tetrahedron"), found.proof.get(), points);
   ASSERT_EQ(c.enclosures.size(), 2U);
   for (const Enclosure& value : c.enclosures) EXPECT_TRUE(holds(value, 1));
   // Black, it is lit by nothing but itself.
   EXPECT_LT(c.enclosures[1].radius, Rational::exactly(1e-12));
-  EXPECT_LT(c.width, Rational::exactly(0.4));
-  const Report report = check(c, {.elements = 20, .seed = "values"});
+  EXPECT_LT(c.width, Rational::exactly(1.0));
+  const Report report = check(c, {.elements = 8, .seed = "values"});
   EXPECT_FALSE(report.refusal) << text_of(report);
 }
 
@@ -224,13 +234,16 @@ TEST(ElementCheck, EnclosesProductsThatAreKnown) {
   }
 }
 
-/// A change of one number, after which something that the certificate says is false, or not what follows.
+/// A change of one number of a kind, after which something that the certificate says is false, or not what
+/// follows.
 struct Change {
   std::string what;
   std::size_t element = 0;  ///< whose claim is false, where no exact part of the check sees it
 };
 
-Change change(PolyhedronCertificate& c, Draw& draw) {
+constexpr std::size_t kinds_of_change = 14;
+
+Change change(PolyhedronCertificate& c, std::size_t kind, Draw& draw) {
   const auto sign = [&] { return draw() < 0.5 ? -1.0 : 1.0; };
   const std::size_t e = draw.below(c.elements.size());
   const std::size_t k = draw.below(c.pieces.size());
@@ -241,7 +254,7 @@ Change change(PolyhedronCertificate& c, Draw& draw) {
     return element;
   };
   const std::string at = " " + std::to_string(e) + " " + std::to_string(k) + " " + std::to_string(face);
-  switch (draw.below(14)) {
+  switch (kind) {
     case 0: {
       const std::size_t place = draw.below(c.coefficients.size());
       c.coefficients[place] += sign() * 0.5;
@@ -282,13 +295,15 @@ Change change(PolyhedronCertificate& c, Draw& draw) {
 }
 
 /// The same of a value.
-Change change_of_a_value(PolyhedronCertificate& c, Draw& draw) {
+constexpr std::size_t kinds_of_change_of_a_value = 9;
+
+Change change_of_a_value(PolyhedronCertificate& c, std::size_t kind, Draw& draw) {
   const auto sign = [&] { return draw() < 0.5 ? -1.0 : 1.0; };
   const std::size_t own = c.points[0].face;
   std::size_t e = draw.below(c.elements.size());
   while (c.elements[e].face == own) e = draw.below(c.elements.size());
   const std::string at = " " + std::to_string(e);
-  switch (draw.below(9)) {
+  switch (kind) {
     case 0:
       c.points[0].at.x += Rational(1, 1 + static_cast<long>(draw.below(1000)));
       return {"point off its face"};
@@ -312,24 +327,14 @@ Change change_of_a_value(PolyhedronCertificate& c, Draw& draw) {
   }
 }
 
-/// The part that is this element.
-Part part_with(std::size_t element, std::size_t count) {
-  Part part{.elements = 1, .seed = {}};
-  for (int k = 0;; ++k) {
-    part.seed = std::to_string(k);
-    const std::vector<std::size_t> chosen = chosen_elements(count, part);
-    if (std::find(chosen.begin(), chosen.end(), element) != chosen.end()) return part;
-  }
-}
-
 TEST(Check, RefusesAnyNumberChanged) {
   const PolyhedronCertificate whole = test::furnace_certificate("tetrahedron", 0.25, 0.25, 1.2, 0.02);
   // Unchanged it holds.
-  ASSERT_FALSE(check(whole, {.elements = 12, .seed = "unchanged"}).refusal);
+  ASSERT_FALSE(check(whole, {.elements = 6, .seed = "unchanged"}).refusal);
   Draw draw(31);
-  for (std::size_t n = 0; n < test::repeats(100); ++n) {
+  for (std::size_t n = 0; n < test::repeats(2 * kinds_of_change); ++n) {
     PolyhedronCertificate c = whole;
-    const Change changed = change(c, draw);
+    const Change changed = change(c, n % kinds_of_change, draw);
     // The element itself is refused, and not one that the change happens to reach as well.
     const Report report = check(c, part_with(changed.element, c.elements.size()));
     EXPECT_TRUE(report.refusal) << changed.what;
@@ -340,9 +345,9 @@ TEST(Check, RefusesAnyNumberChangedPastOccluders) {
   const PolyhedronCertificate whole = test::furnace_certificate("l_room", 0.25, 0.25, 1.2, 0.02);
   ASSERT_FALSE(check(whole, {.elements = 3, .seed = "unchanged"}).refusal);
   Draw draw(41);
-  for (std::size_t n = 0; n < test::repeats(100); ++n) {
+  for (std::size_t n = 0; n < test::repeats(2 * kinds_of_change); ++n) {
     PolyhedronCertificate c = whole;
-    const Change changed = change(c, draw);
+    const Change changed = change(c, n % kinds_of_change, draw);
     const Report report = check(c, part_with(changed.element, c.elements.size()));
     EXPECT_TRUE(report.refusal) << changed.what;
   }
@@ -384,11 +389,11 @@ TEST(Check, RefusesValuesPastOccluders) {
 
 TEST(Check, RefusesAnyNumberOfAValueChanged) {
   const PolyhedronCertificate whole = test::furnace_value_certificate("tetrahedron", 0.25, 1.2, 0.02);
-  ASSERT_FALSE(check(whole, {.elements = 12, .seed = "unchanged"}).refusal);
+  ASSERT_FALSE(check(whole, {.elements = 4, .seed = "unchanged"}).refusal);
   Draw draw(37);
-  for (std::size_t n = 0; n < test::repeats(25); ++n) {
+  for (std::size_t n = 0; n < test::repeats(kinds_of_change_of_a_value); ++n) {
     PolyhedronCertificate c = whole;
-    const Change changed = change_of_a_value(c, draw);
+    const Change changed = change_of_a_value(c, n % kinds_of_change_of_a_value, draw);
     const Report report = check(c, part_with(changed.element, c.elements.size()));
     EXPECT_TRUE(report.refusal) << changed.what;
   }

@@ -41,9 +41,9 @@ PolyhedronProblem furnace(const Rational& rho, std::size_t reflecting) {
 }
 
 TEST(FunctionEnclosure, ContainsOneInAFurnace) {
-  const FunctionEnclosure found = enclose_function(furnace(Rational(1, 4), 2), 1, 0.05);
+  const FunctionEnclosure found = enclose_function(furnace(Rational(1, 4), 2), 2, 0.1);
   EXPECT_TRUE(found.hindrance.empty());
-  EXPECT_LE(found.sup, 0.5);
+  EXPECT_LE(found.sup, 1);
   ASSERT_EQ(found.pieces.size(), 4U);
   for (const EnclosedPart& part : found.parts)
     for (const double value : part.values) EXPECT_LE(std::abs(value - 1), part.bound);
@@ -88,8 +88,8 @@ TEST(FunctionEnclosure, ContainsOneInAFurnaceOfPolynomials) {
     mixed.reflectivity[k] = reflectivity_of(mixed.panels[k], rho).value();
     mixed.emission[k] = sum(constant_polynomial(Rational(1)), Rational(-1), rho);
   }
-  const FunctionEnclosure found = enclose_function(mixed, 1, 0.05);
-  EXPECT_LE(found.sup, 0.5);
+  const FunctionEnclosure found = enclose_function(mixed, 2, 0.1);
+  EXPECT_LE(found.sup, 1);
   double farthest = 0;
   for (const EnclosedPart& part : found.parts)
     for (const double value : part.values) {
@@ -106,7 +106,7 @@ TEST(FunctionEnclosure, KnowsThatCoefficientsAreRoundedWhereNothingReflects) {
     dark.emission[1] = constant_polynomial(Rational(1, 3));
     for (std::size_t j = 0; j < dark.panels.size(); ++j)
       if (j != 1) dark.reflectivity[j] = rho;
-    const FunctionEnclosure found = enclose_function(dark, 1e-3, 0.01);
+    const FunctionEnclosure found = enclose_function(dark, 0.1, 0.1);
     const double off = abs(Ball(Rational(1, 3)) - Ball(1.0 / 3)).upper_double();
     ASSERT_GT(off, 1e-17);
     EXPECT_GE(found.sup, off);
@@ -320,7 +320,7 @@ TEST(FunctionEnclosure, HasTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(FunctionEnclosure, GoesOnFromWhatIsKept) {
-  const PolyhedronProblem asked = furnace(Rational(1, 4), 2);
+  const PolyhedronProblem asked = furnace(Rational(1, 8), 1);
   const FunctionEnclosure by_itself = enclose_function(asked, 4, 0.1);
   test::Memory memory;
   EXPECT_EQ(enclose_function(asked, 4, 0.1, {.kept = &memory}).sup, by_itself.sup);

@@ -69,12 +69,10 @@ std::vector<SolutionPoint> points_on(const PolyhedronProblem& asked) {
 }
 
 TEST(GoalEnclosure, ContainsOneInAFurnace) {
-  for (const std::string name : {"cube", "octahedron"}) {
-    const GoalEnclosure found = enclose_means(problem(name, Rational(3, 10), Rational(7, 10)), 1e-1);
-    EXPECT_LE(found.width, 1e-1) << name;
-    EXPECT_TRUE(found.hindrance.empty());
-    for (const Approximation& mean : found.numbers) expect_contains(mean, 1);
-  }
+  const GoalEnclosure found = enclose_means(problem("octahedron", Rational(3, 10), Rational(7, 10)), 4e-1);
+  EXPECT_LE(found.width, 4e-1);
+  EXPECT_TRUE(found.hindrance.empty());
+  for (const Approximation& mean : found.numbers) expect_contains(mean, 1);
 }
 
 /// rho between 1/10 and 6/10, by piece.
@@ -84,24 +82,20 @@ std::vector<Rational> reflectivities(std::size_t pieces) {
   return rho;
 }
 
-TEST(GoalEnclosure, ContainsOneInARoomWhosePartsHideEachOther) {
-  // T 1 = 1: u = 1 where E = 1 - rho, whatever rho is on each piece.
-  const std::vector<Rational> rho = reflectivities(8);
-  std::vector<Rational> emission;
-  for (const Rational& r : rho) emission.push_back(Rational(1) - r);
-  const GoalEnclosure found = enclose_means(test::occluded_problem(test::l_room(), rho, emission), 1.0);
-  EXPECT_LE(found.width, 1.0);
-  for (const Approximation& mean : found.numbers) expect_contains(mean, 1);
-}
-
-TEST(GoalEnclosure, KeepsTheBalanceOfEnergyInARoomWhosePartsHideEachOther) {
+TEST(GoalEnclosure, ContainsOneAndKeepsTheBalanceOfEnergyInARoomWhosePartsHideEachOther) {
   const std::vector<Rational> rho = reflectivities(8);
   std::vector<Rational> emission(8, Rational(0));
   emission[4] = 1;
-  const PolyhedronProblem asked = test::occluded_problem(test::l_room(), rho, emission);
+  PolyhedronProblem asked = test::occluded_problem(test::l_room(), rho, emission);
+  // T 1 = 1: u = 1 where E = 1 - rho, whatever rho is on each piece.
+  std::vector<Rational> of_furnace;
+  for (const Rational& r : rho) of_furnace.push_back(Rational(1) - r);
+  asked.further_emissions = {test::occluded_problem(test::l_room(), rho, of_furnace).emission};
   const SectorScene scene(asked.panels);
-  const GoalEnclosure found = enclose_means(asked, 0.5);
-  EXPECT_LE(found.width, 0.5);
+  const GoalEnclosure found = enclose_means(asked, 1.5);
+  ASSERT_EQ(found.numbers.size(), 16U);
+  for (std::size_t k = 8; k < 16; ++k) expect_contains(found.numbers[k], 1);
+  EXPECT_LE(found.width, 1.5);
   double left = 0;
   double radius = 0;
   double right = 0;
@@ -114,25 +108,22 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergyInARoomWhosePartsHideEachOther) {
     right += asked.emission[j](0, 0).to_double() / of_piece * scene.area(j);
   }
   EXPECT_NEAR(left, right, radius);
-  const GoalEnclosure wide = enclose_means(asked, 2.0);
+  const GoalEnclosure wide = enclose_means(asked, 6.0);
   for (std::size_t k = 0; k < found.numbers.size(); ++k)
     EXPECT_LE(std::abs(found.numbers[k].value - wide.numbers[k].value),
               found.numbers[k].radius + wide.numbers[k].radius);
 }
 
 TEST(GoalEnclosure, ContainsOneInAFurnaceOfPolynomials) {
-  for (const int degree : {1, 4}) {
-    const PolyhedronProblem furnace = furnace_of_polynomials("tetrahedron", degree);
-    const GoalEnclosure means = enclose_means(furnace, 2e-1);
-    EXPECT_LE(means.width, 2e-1);
-    for (const Approximation& mean : means.numbers) expect_contains(mean, 1);
-    const GoalEnclosure values = enclose_values(
-        furnace,
-        {{1, Rational(1, 4) * (Rational(3) * furnace.panels[1].centre + furnace.panels[1].corners[0])}},
-        5e-1);
-    EXPECT_LE(values.width, 5e-1);
-    expect_contains(values.numbers[0], 1);
-  }
+  const GoalEnclosure means = enclose_means(furnace_of_polynomials("tetrahedron", 4), 1.0);
+  EXPECT_LE(means.width, 1.0);
+  for (const Approximation& mean : means.numbers) expect_contains(mean, 1);
+  const PolyhedronProblem furnace = furnace_of_polynomials("tetrahedron", 1);
+  const GoalEnclosure values = enclose_values(
+      furnace,
+      {{1, Rational(1, 4) * (Rational(3) * furnace.panels[1].centre + furnace.panels[1].corners[0])}}, 1.5);
+  EXPECT_LE(values.width, 1.5);
+  expect_contains(values.numbers[0], 1);
 }
 
 TEST(GoalEnclosure, OfPolynomialReflectivitiesIsLinearInTheEmission) {
@@ -142,8 +133,8 @@ TEST(GoalEnclosure, OfPolynomialReflectivitiesIsLinearInTheEmission) {
   lit_by_halves.further_emissions = {furnace.emission, furnace.emission};
   for (std::size_t k = 0; k < furnace.panels.size(); ++k)
     lit_by_halves.further_emissions[k % 2][k] = constant_polynomial(Rational(0));
-  const GoalEnclosure means = enclose_means(lit_by_halves, 5e-2);
-  EXPECT_LE(means.width, 5e-2);
+  const GoalEnclosure means = enclose_means(lit_by_halves, 3e-1);
+  EXPECT_LE(means.width, 3e-1);
   const std::size_t count = means.numbers.size() / 3;
   ASSERT_EQ(means.numbers.size(), 3 * count);
   for (std::size_t k = 0; k < count; ++k) {
@@ -173,7 +164,8 @@ TEST(GoalEnclosure, OfValuesForSeveralEmissionsMakesAFurnace) {
   furnace.further_emissions = {furnace.emission, furnace.emission};
   for (std::size_t k = 0; k < furnace.panels.size(); ++k)
     furnace.further_emissions[k % 2][k] = constant_polynomial(Rational(0));
-  const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 5e-1);
+  const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 1.0);
+  EXPECT_LE(found.width, 1.0);
   ASSERT_EQ(found.numbers.size(), 6U);
   for (std::size_t k = 0; k < 2; ++k) {
     expect_contains(found.numbers[k], 1);
@@ -220,7 +212,7 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergy) {
   for (const std::string name : {"cube", "tetrahedron"}) {
     const PolyhedronProblem asked = lit(name);
     const SectorScene scene(asked.panels);
-    const GoalEnclosure found = enclose_means(asked, 2e-1);
+    const GoalEnclosure found = enclose_means(asked, 5e-1);
     double left = 0;
     double radius = 0;
     double right = 0;
@@ -233,7 +225,7 @@ TEST(GoalEnclosure, KeepsTheBalanceOfEnergy) {
       right += asked.emission[j](0, 0).to_double() / rho * scene.area(j);
     }
     EXPECT_NEAR(left, right, radius) << name;
-    EXPECT_LE(found.width, 2e-1);
+    EXPECT_LE(found.width, 5e-1);
   }
 }
 
@@ -241,7 +233,7 @@ TEST(GoalEnclosure, OfCoarseMeshesContainThoseOfFineOnes) {
   std::mutex mutex;
   std::vector<EnclosureProgress> told;
   const GoalEnclosure coarse =
-      enclose_means(lit("tetrahedron"), 1e-1, {.progress = [&](const EnclosureProgress& now) {
+      enclose_means(lit("tetrahedron"), 5e-1, {.progress = [&](const EnclosureProgress& now) {
                       const std::scoped_lock lock(mutex);
                       told.push_back(now);
                     }});
@@ -257,7 +249,7 @@ TEST(GoalEnclosure, OfCoarseMeshesContainThoseOfFineOnes) {
     most = std::max(most, now.cells_done);
   }
   EXPECT_GT(most, told[told.size() - 2].cells * 9 / 10);
-  const GoalEnclosure fine = enclose_means(lit("tetrahedron"), 5e-3);
+  const GoalEnclosure fine = enclose_means(lit("tetrahedron"), 3e-2);
   EXPECT_LT(fine.width, 0.1 * coarse.width);
   for (std::size_t k = 0; k < fine.numbers.size(); ++k)
     EXPECT_LE(std::abs(coarse.numbers[k].value - fine.numbers[k].value),
@@ -266,7 +258,7 @@ TEST(GoalEnclosure, OfCoarseMeshesContainThoseOfFineOnes) {
 
 TEST(GoalEnclosure, GoesOnFromWhatIsKept) {
   const PolyhedronProblem asked = lit("tetrahedron");
-  const GoalEnclosure by_itself = enclose_means(asked, 1e-1, {}, true);
+  const GoalEnclosure by_itself = enclose_means(asked, 4e-1, {}, true);
   const auto expect_same = [&](const GoalEnclosure& found) {
     ASSERT_EQ(found.numbers.size(), by_itself.numbers.size());
     for (std::size_t k = 0; k < found.numbers.size(); ++k) {
@@ -278,13 +270,13 @@ TEST(GoalEnclosure, GoesOnFromWhatIsKept) {
       EXPECT_EQ(found.proof->residuals[e].norms, by_itself.proof->residuals[e].norms);
   };
   test::Memory memory;
-  expect_same(enclose_means(asked, 1e-1, {.kept = &memory}, true));
+  expect_same(enclose_means(asked, 4e-1, {.kept = &memory}, true));
   ASSERT_GT(memory.numbers.size(), 3U);
   EXPECT_EQ(memory.found, 0);
   // Begun again where about half of the parts had been done.
   test::Memory half(memory.half());
   const auto done = static_cast<int>(half.numbers.size());
-  expect_same(enclose_means(asked, 1e-1, {.kept = &half}, true));
+  expect_same(enclose_means(asked, 4e-1, {.kept = &half}, true));
   EXPECT_EQ(half.found, done);
   EXPECT_EQ(half.numbers, memory.numbers);
 }
@@ -299,21 +291,15 @@ TEST(GoalEnclosure, HasPolynomialEmissions) {
     out.emission[1] = f;
     return out;
   };
-  const double width = 2e-1;
-  const GoalEnclosure constant = enclose_means(with(1, 0, 1), width);
-  const GoalEnclosure square = enclose_means(with(0, 1, 2), width);
-  const GoalEnclosure both = enclose_means(with(3, -2, 2), width);
+  // The sum in a search of its own.
+  PolyhedronProblem apart = with(1, 0, 1);
+  apart.further_emissions = {with(0, 1, 2).emission};
+  const GoalEnclosure parts = enclose_means(apart, 6e-1);
+  const GoalEnclosure both = enclose_means(with(3, -2, 2), 6e-1);
+  ASSERT_EQ(parts.numbers.size(), 8U);
   for (std::size_t k = 0; k < both.numbers.size(); ++k)
-    EXPECT_NEAR(both.numbers[k].value, 3 * constant.numbers[k].value - 2 * square.numbers[k].value,
-                both.numbers[k].radius + 3 * constant.numbers[k].radius + 2 * square.numbers[k].radius);
-}
-
-TEST(GoalEnclosure, OfValuesContainsOneInAFurnace) {
-  const PolyhedronProblem furnace = problem("tetrahedron", Rational(3, 10), Rational(7, 10));
-  const GoalEnclosure found = enclose_values(furnace, points_on(furnace), 3e-1);
-  EXPECT_LE(found.width, 3e-1);
-  ASSERT_EQ(found.numbers.size(), 2U);
-  for (const Approximation& value : found.numbers) expect_contains(value, 1);
+    EXPECT_NEAR(both.numbers[k].value, 3 * parts.numbers[k].value - 2 * parts.numbers[4 + k].value,
+                both.numbers[k].radius + 3 * parts.numbers[k].radius + 2 * parts.numbers[4 + k].radius);
 }
 
 TEST(GoalEnclosure, IsThatOfAPolynomialEmissionWhereNothingReflects) {

@@ -29,7 +29,7 @@ Answer value_in_a_furnace() {
   PolyhedronProblem problem{.panels = convex_panels(default_surface(*find_surface("tetrahedron"))).value(),
                             .reflectivity = std::vector<PanelReflectivity>(4, Rational(1, 2)),
                             .emission = std::vector(4, constant_polynomial(Rational(1, 2)))};
-  const GoalEnclosure found = enclose_values(problem, {{2, problem.panels[2].centre}}, 0.5);
+  const GoalEnclosure found = enclose_values(problem, {{2, problem.panels[2].centre}}, 1.5);
   return numbers({number(found.numbers[0].value, found.numbers[0].radius)}, found.hindrance);
 }
 
@@ -42,7 +42,7 @@ Answer product_of_a_furnace() {
   for (double& c : q.all()) c = 1.25;
   const Trial trial(scene, reflectivity, elements,
                     panel_functions(scene, elements, {std::vector<double>(6, 0.5)}, 0), q);
-  const CellDemand demand{.interpolation = 1e-2, .quadrature = 1e-3};
+  const CellDemand demand{.interpolation = 3e-2, .quadrature = 3e-3};
   const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
   return numbers({number(sums.products[0].value, sums.products[0].radius)});
 }
@@ -99,7 +99,7 @@ std::vector<Case> continuous_cases() {
            .truth = [] { return std::vector<Ball>{Ball(1)}; },
            .is_long = true},
           {.limit = "continuous/trial_functions: Krylov vectors",
-           .answer = [] { return means_of_a_tetrahedron(0.1); },
+           .answer = [] { return means_of_a_tetrahedron(0.5); },
            .is_long = true},
           {.limit = "continuous/observer_cells: cells of an element",
            .answer = product_of_a_furnace,

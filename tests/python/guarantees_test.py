@@ -25,20 +25,20 @@ class Guarantees(ModuleTest):
         self.assertTrue(rc.cube().factors(certified=np.bool_(True)).guaranteed)
 
     def test_means_are_proved_and_those_of_the_program(self):
-        enclosure = self.cube.guarantee("0.05")
+        enclosure = self.cube.guarantee("0.2")
         self.assertTrue(enclosure.reached)
-        self.assertEqual((enclosure.wanted, enclosure.hindrance), (rc.Q("0.05"), ""))
-        self.assertLessEqual(enclosure.width, 0.05)
+        self.assertEqual((enclosure.wanted, enclosure.hindrance), (rc.Q("0.2"), ""))
+        self.assertLessEqual(enclosure.width, 0.2)
         self.assertEqual(set(enclosure.means), set(rc.cube().pieces))
         for mean in enclosure.means.values():
             self.assertTrue(mean.guaranteed)
-            self.assertLessEqual(2 * mean.radius, 0.05)
+            self.assertLessEqual(2 * mean.radius, 0.2)
         # Another route: certificates inside the library.
         known = rc.reference("continuous_mean_cube_floor_rho_1/2")
         floor = enclosure.means["floor"]
         self.assertLessEqual(abs(floor.value - float(known)), floor.radius + float(known.ball.radius))
         self.cube.write(self.folder / "cube.json")
-        theirs = self.program("solve", self.folder / "cube.json", "--guarantee", "0.05")
+        theirs = self.program("solve", self.folder / "cube.json", "--guarantee", "0.2")
         self.assertEqual(without(enclosure.to_json(), "command", "timing"), without(theirs, "command", "timing"))
 
     def test_a_furnace_is_known_everywhere(self):
@@ -53,10 +53,10 @@ class Guarantees(ModuleTest):
         self.assertLessEqual(enclosure.function["sup"], 1e-6)
         enclosure.to_vtu(self.folder / "u.vtu")
         self.assertIn("bound", (self.folder / "u.vtu").read_text(encoding="utf-8"))
-        self.refused(lambda: self.cube.guarantee("0.1").to_vtu(self.folder / "u.vtu"), "these are means")
+        self.refused(lambda: self.cube.guarantee("1").to_vtu(self.folder / "u.vtu"), "these are means")
 
     def test_a_certificate_is_verified_and_a_changed_one_refused(self):
-        enclosure = self.cube.guarantee("0.2", certificate=True)
+        enclosure = self.cube.guarantee("0.5", certificate=True)
         path = self.folder / "means.json"
         enclosure.certificate_to(path)
         check = rc.check_certificate(path)
@@ -76,11 +76,11 @@ class Guarantees(ModuleTest):
         self.refused(lambda: rc.check_certificate(path, 0), "from 1 on")
         self.refused(lambda: rc.check_certificate(self.folder / "nothing.json"), "nothing.json")
         with self.assertRaises(TypeError):
-            self.cube.guarantee("0.2").certificate_to(path)
+            self.cube.guarantee("0.5").certificate_to(path)
 
     def test_values_have_certificates(self):
         face = rc.Problem(rc.tetrahedron(), reflectivity="3/10", emission="7/10", levels=[0])
-        enclosure = face.guarantee(1, of="values", certificate=True)
+        enclosure = face.guarantee(3, of="values", certificate=True)
         path = self.folder / "values.json"
         enclosure.certificate_to(path)
         check = rc.check_certificate(path, 2)
@@ -112,12 +112,12 @@ class Guarantees(ModuleTest):
         halves = {name: {piece: "7/10" if (k < 2) == (name == "first") else 0 for k, piece in enumerate(faces)}
                   for name in ("first", "second")}
         room = rc.Problem(rc.tetrahedron(), reflectivity="3/10", emission="7/10", levels=[0])
-        enclosure = room.guarantee("0.5", emissions=halves)
+        enclosure = room.guarantee("1", emissions=halves)
         self.assertEqual(set(enclosure.emissions), {"first", "second"})
         for piece in faces:
             parts = [enclosure.emissions[name].means[piece] for name in halves]
             self.assertLessEqual(abs(sum(part.value for part in parts) - 1), sum(part.radius for part in parts))
-        by_piece = room.guarantee("0.5", emissions="by piece").emissions
+        by_piece = room.guarantee("1", emissions="by piece").emissions
         self.assertEqual(set(by_piece), set(faces))
         self.refused(lambda: room.guarantee("0.5", emissions={"one": "no"}), "emissions")
 
@@ -131,8 +131,8 @@ class Guarantees(ModuleTest):
         self.refused(lambda: self.cube.replace(surface="two_piece").guarantee("0.1"))
 
     def test_finished_work_is_kept(self):
-        first = self.cube.guarantee("0.1", store=self.folder / "kept")
-        self.assertEqual(first.means, self.cube.guarantee("0.1", store=self.folder / "kept").means)
+        first = self.cube.guarantee("0.5", store=self.folder / "kept")
+        self.assertEqual(first.means, self.cube.guarantee("0.5", store=self.folder / "kept").means)
         self.assertTrue(any((self.folder / "kept").rglob("*")))
 
     def test_a_mesh_of_arrays_is_enclosed_like_the_surface_that_it_is(self):
@@ -140,7 +140,7 @@ class Guarantees(ModuleTest):
 
         points, triangles, _ = unit_cube()
         mesh = rc.Mesh((points, triangles))
-        enclosure = rc.Problem(mesh, reflectivity="1/2", emission=1, levels=[0]).guarantee("0.05")
+        enclosure = rc.Problem(mesh, reflectivity="1/2", emission=1, levels=[0]).guarantee("0.2")
         for mean in enclosure.means.values():
             self.assertLessEqual(abs(mean.value - 2), mean.radius)
 

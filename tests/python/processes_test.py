@@ -97,7 +97,7 @@ class Processes(ModuleTest):
                 time.sleep(0.05)
                 return np.ones(len(points))
             try:
-                short.replace(emission=None, solution=slow, levels=[2]).solve()
+                short.replace(emission=None, solution=slow, levels=[0]).solve()
             except KeyboardInterrupt:
                 print("stopped")
             print(short.replace(emission=lambda points: np.ones(len(points))).solve()[0].values.value[0].round(9))
@@ -116,7 +116,7 @@ class Processes(ModuleTest):
                 at_work.set()
                 time.sleep(0.02)
                 return np.ones(len(points))
-            thread = threading.Thread(target=lambda: short.replace(emission=None, solution=slow, levels=[3]).solve(), daemon=True)
+            thread = threading.Thread(target=lambda: short.replace(emission=None, solution=slow, levels=[0]).solve(), daemon=True)
             thread.start()
             at_work.wait()
             print("end")

@@ -10,6 +10,7 @@
 #include "radcert/core/parallel.h"
 #include "radcert/quadrature/element_integrator.h"
 #include "random_entries.h"
+#include "tests/repeats.h"
 
 namespace radcert {
 namespace {
@@ -193,22 +194,27 @@ void check(const Cases& cases) {
 }
 
 TEST(RadiusLaw, HoldsOnTheObserversOwnElement) {
-  check({.place = Place::own, .cases = 500, .seed = 101, .analytic = true});
+  check({.place = Place::own, .cases = test::repeats(150), .seed = 101, .analytic = true});
 }
 
 TEST(RadiusLaw, HoldsOnTheObserversOwnElementWhereTheChartIsNotAnalytic) {
-  check({.place = Place::own, .cases = 12, .seed = 107, .analytic = false});
+  check({.place = Place::own, .cases = test::repeats(4), .seed = 107, .analytic = false});
 }
 
-TEST(RadiusLaw, HoldsBesideAnEdge) { check({.place = Place::edge, .cases = 500, .seed = 102}); }
+TEST(RadiusLaw, HoldsBesideAnEdge) {
+  check({.place = Place::edge, .cases = test::repeats(150), .seed = 102});
+}
 
 TEST(RadiusLaw, HoldsAcrossAnEdgeAtAnAngle) {
-  check({.place = Place::edge_at_angle, .cases = 500, .seed = 103, .insets = {1e-3, 1e-2, 0.1}});
+  check(
+      {.place = Place::edge_at_angle, .cases = test::repeats(150), .seed = 103, .insets = {1e-3, 1e-2, 0.1}});
 }
 
-TEST(RadiusLaw, HoldsBesideAVertex) { check({.place = Place::vertex, .cases = 500, .seed = 104}); }
+TEST(RadiusLaw, HoldsBesideAVertex) {
+  check({.place = Place::vertex, .cases = test::repeats(150), .seed = 104});
+}
 
-TEST(RadiusLaw, HoldsApart) { check({.place = Place::apart, .cases = 1000, .seed = 105}); }
+TEST(RadiusLaw, HoldsApart) { check({.place = Place::apart, .cases = test::repeats(300), .seed = 105}); }
 
 TEST(RadiusLaw, HoldsAtChosenPlaces) {
   Cases cases;
@@ -235,7 +241,11 @@ TEST(RadiusLaw, HoldsAtChosenPlaces) {
 
 TEST(RadiusLaw, HoldsForEveryDegree) {
   for (const Place place : {Place::own, Place::edge, Place::vertex, Place::apart})
-    check({.place = place, .cases = 30, .seed = 106, .analytic = true, .degrees = {4, 5, 6, 7, 8}});
+    check({.place = place,
+           .cases = test::repeats(30),
+           .seed = 106,
+           .analytic = true,
+           .degrees = {4, 5, 6, 7, 8}});
 }
 
 }  // namespace

@@ -452,9 +452,11 @@ Problem room_problem(const sample::Polyhedron& room, Orientation orientation) {
 
 TEST(VerifiedLevel, IsRefusedWhereTheSecondRouteContradictsIt) {
   // A route that is off by a millionth at the last node alone.
-  for (const Problem& surface : {sample_problem("cube"), sample_problem("sphere", {{"radius", 1}})}) {
+  const auto no_route = [](const Surface&, const SurfaceFunction&) -> AppliedOperator { return {}; };
+  for (const Problem& surface :
+       {sample_problem("cube"), with_basis(sample_problem("sphere", {{"radius", 1}}), 0, Rational(1, 6))}) {
     const Problem problem = with_solution(surface, "1 + x*y");
-    const Vector<double> last = solve_level(problem, 0, reference::applied_operator).nodes.back().point;
+    const Vector<double> last = solve_level(with_emission(surface, "1"), 0, no_route).nodes.back().point;
     const auto off = [&](const Surface& s, const SurfaceFunction& u) -> AppliedOperator {
       return [&s, route = reference::applied_operator(s, u), last](const SurfacePoint<double>& p) {
         Approximation found = route(p);

@@ -2,6 +2,7 @@
 
 // radcert experiment EXPERIMENT.json: many problems, compared.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -40,7 +41,22 @@ namespace {
 struct ExperimentOptions {
   std::string experiment;
   std::string out;
+  std::string finest;
 };
+
+constexpr int most_finest = 6;
+
+/// Of the scoreboard; none where it is not given.
+std::optional<int> finest_of(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  int level = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
+  if (error != std::errc() || end != text.data() + text.size() || level < 1 || level > most_finest)
+    throw InputError({.source = "--finest",
+                      .value = text,
+                      .allowed = "a whole number from 1 to " + std::to_string(most_finest)});
+  return level;
+}
 
 /// What is finished of an experiment.
 struct Finished {
@@ -137,7 +153,13 @@ Files paper_files(const Common& common, const ExperimentOptions& options, const 
 ExitCode run_experiment(const Common& common, const ExperimentOptions& options) {
   if (std::error_code error;
       options.experiment == "scoreboard" && !std::filesystem::exists("scoreboard", error))
-    return ranks().is_first() ? run_scoreboard(common, options.out) : ExitCode::done;
+    return ranks().is_first() ? run_scoreboard(common, options.out, finest_of(options.finest))
+                              : ExitCode::done;
+  if (!options.finest.empty())
+    throw InputError({.source = "--finest",
+                      .value = options.finest,
+                      .problem = "has no meaning for an experiment file",
+                      .allowed = "the word scoreboard; a file names its levels"});
   Outputs outputs(common);
   outputs.input(options.experiment);
   outputs.folder("--out", options.out, {"experiment.json", "provenance.json"});
@@ -195,6 +217,9 @@ void add_experiment(Program& program) {
       "Write to DIR: experiment.json, experiment.html, errors.csv, timing.csv, table.tex, each plot as .svg "
       "and .tex, plot.tex with all of them, cite.bib, provenance.json",
       "DIR");
+  command.option("--finest", options->finest,
+                 "Of scoreboard: the last level for linear functions; default 2. Others end beside it",
+                 "LEVEL");
   command.fresh_flag(program.common());
   command.footer(
       "Every combination of the lists of `vary` with `base` is a problem, as radcert solve takes it.\n"

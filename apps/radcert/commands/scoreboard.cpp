@@ -79,14 +79,15 @@ std::vector<BoardCell> cells_of(const BoardScene& scene, const BoardMethod& meth
 
 }  // namespace
 
-ExitCode run_scoreboard(const Common& common, const std::string& out) {
+ExitCode run_scoreboard(const Common& common, const std::string& out, std::optional<int> finest) {
   Outputs outputs(common);
   outputs.folder("--out", out, {"scoreboard.json", "provenance.json"});
   const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
   ResultStore store = common.store();
   StoredLevels levels(store, solve_with(reference::applied_operator, memory));
-  const std::vector<BoardScene> scenes = board_scenes();
+  std::vector<BoardScene> scenes = board_scenes();
+  for (BoardScene& scene : scenes) scene.finest = finest.value_or(scene.finest);
   const auto parts = static_cast<double>(scenes.size() * board_methods().size());
   std::vector<BoardProblem> problems;
   try {
