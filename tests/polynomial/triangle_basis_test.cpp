@@ -46,7 +46,7 @@ TEST(TriangleBasis, OfInsetNodesIsTheInsetBasisExactly) {
 }
 
 TEST(TriangleBasis, KeepsTheBitsOfAnInsetBasis) {
-  for (int degree = 0; degree <= 8; ++degree) {
+  for (int degree = 0; degree <= 10; ++degree) {
     const InsetBasis<double> product(degree, 0.1);
     const TriangleBasis<double> basis(product);
     EXPECT_EQ(basis.nodes(), product.nodes());

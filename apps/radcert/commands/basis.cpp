@@ -280,7 +280,7 @@ void add_basis(Program& program) {
   command.word("NAME", options->name,
                "inset, symmetric, search, table, or a file of nodes (radcert schema nodes)");
   command.option("--degree", options->degree,
-                 "The degree, of inset nodes up to 12, of which solve takes 8; or several as 1-10: then a "
+                 "The degree, of inset nodes up to 12, of which solve takes 10; or several as 1-10: then a "
                  "table, a row each",
                  "R");
   command.option("--alpha", options->alpha, "Of inset nodes: a number in [0, 1/3), or superconvergent", "A");

@@ -55,7 +55,7 @@ struct NodeFile {
 [[nodiscard]] NodeFile parse_nodes(std::string_view text, const std::string& source);
 
 /// Such nodes as the basis of a problem, which names them so.
-/// Result    InputError, with the name, for functions of a degree above 8
+/// Result    InputError, with the name, for functions of a degree above largest_basis_degree
 [[nodiscard]] TriangleBasisChoice node_file_basis(NodeFile nodes, const std::string& name);
 
 /// Nodes as such a file.

@@ -222,7 +222,7 @@ private:
   void accumulate(const LoadPoint& at, double f, std::vector<double>& out) const {
     const std::size_t p = functions_->functions();
     out.resize(functions_->elements() * p);
-    std::array<double, 45> l{};
+    std::array<double, most_basis_functions> l{};
     basis_.values(at.x, std::span<double>(l).first(p));
     const Matrix<double>& psi = functions_->coefficients(at.element);
     for (std::size_t a = 0; a < p; ++a) {
