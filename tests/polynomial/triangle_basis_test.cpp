@@ -115,7 +115,7 @@ TEST(TriangleBasis, GivesAPackTheBitsOfItsDoubles) {
 }
 
 TEST(TriangleBasis, RefusesWhatIsOutOfRange) {
-  EXPECT_THROW(static_cast<void>(make_triangle_basis<double>(functions_of(inset_nodes(9, Rational(0))))),
+  EXPECT_THROW(static_cast<void>(make_triangle_basis<double>(functions_of(inset_nodes(11, Rational(0))))),
                ContractViolation);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "radcert/kernel/geometric_kernel.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/polynomial/rules/gauss.h"
 #include "radcert/surface/catalogue/box.h"

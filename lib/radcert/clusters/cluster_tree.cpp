@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "radcert/core/contract.h"
+#include "radcert/polynomial/basis_limits.h"
 
 namespace radcert {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/lazy_table.h"
+#include "radcert/polynomial/basis_limits.h"
 
 namespace radcert {
 namespace {

@@ -8,6 +8,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/formats/problem/node_file.h"
 #include "radcert/formats/problem/problem_parts.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
 #include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/scalar/real.h"

@@ -8,6 +8,7 @@
 #include "radcert/core/checked.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/levels_within_memory.h"

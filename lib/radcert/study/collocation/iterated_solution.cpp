@@ -10,6 +10,7 @@
 
 #include "radcert/collocation/nodal_integral.h"
 #include "radcert/core/contract.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/operator_at_nodes.h"

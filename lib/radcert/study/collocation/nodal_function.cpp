@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "radcert/core/parallel.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 
 namespace radcert {

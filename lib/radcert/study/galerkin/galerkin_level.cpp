@@ -10,6 +10,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/galerkin/galerkin_matrix.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/enclosing_text.h"
