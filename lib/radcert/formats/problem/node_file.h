@@ -11,6 +11,7 @@
 #include "radcert/formats/json/json_value.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/nodes/algebraic_nodes.h"
+#include "radcert/polynomial/nodes/free_nodes.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
 #include "radcert/study/triangle_basis_choice.h"
 
@@ -71,6 +72,9 @@ struct NodeFile {
 
 /// The same for a symmetric set, with the certificate that reading it proves again.
 [[nodiscard]] JsonValue nodes_json(const SymmetricNodes& set, const Rational& radius);
+
+/// The same for nodes without symmetry, whose weights the file leaves to the interpolatory rule.
+[[nodiscard]] JsonValue nodes_json(const FreeNodes& set, const Rational& radius);
 
 /// An exact number as text: "0.125" where its decimals end, "1/3" elsewhere.
 [[nodiscard]] std::string exact_text(const Rational& value);
