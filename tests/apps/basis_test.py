@@ -139,6 +139,15 @@ class Basis(ProgramTest):
         self.assertIn("orbits, of which no other numbers are unisolvent: 2 of three",
                       self.expect(0, "basis", "search", "--degree", "2", "--starts", "8"))
 
+    def test_nodes_without_symmetry_are_proved_again_where_they_are_read(self):
+        found = self.basis("search", "--degree", "3", "--symmetric", "off", "--starts", "8", "--nodes", "n.json")
+        with open(self.path("n.json"), encoding="utf-8") as file:
+            jsonschema.validate(json.load(file), self.schema("nodes"))
+        again = self.basis("n.json")
+        self.assertEqual(again["precision"]["triangle"]["proof"], "certificate")
+        for key in ["nodes", "precision", "norm", "condition", "determinant", "orders"]:
+            self.assertEqual(found[key], again[key], key)
+
     def test_searches_that_find_nothing_or_are_none_say_so(self):
         done = self.run_program("basis", "search", "--degree", "9", "--goal", "precision", "--starts", "1",
                                 "--nodes", "none.json")
@@ -169,6 +178,8 @@ class Basis(ProgramTest):
         self.assertEqual((self.precision(found), self.precision(precise)), ((4, 5), (5, 5)))
         self.assertLess(found["norm"]["upper"], precise["norm"]["lower"])
         for words, said in [(["table"], "--out"), (["table", "--out", "d", "--degree", "11"], "from 1 to 10"),
+                            (["table", "--out", "d", "--degree", "5", "--symmetric", "off"], "from 1 to 4"),
+                            (["table", "--out", "d", "--symmetric", "no"], "on, off"),
                             (["table", "--out", "d", "--nodes", "n.json"], "has no meaning"),
                             (["search", "--degree", "3", "--out", "d"], "has no meaning")]:
             done = self.run_program("basis", *words)
@@ -177,10 +188,14 @@ class Basis(ProgramTest):
 
     def test_the_published_table_is_what_the_program_says(self):
         folder = os.path.join(EXAMPLES, "..", "..", "papers", "radcert", "tables")
-        with open(os.path.join(folder, "nodes.csv"), newline="", encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
+        tables = []
+        for name in ("nodes.csv", "free.csv"):
+            with open(os.path.join(folder, name), newline="", encoding="utf-8") as file:
+                tables.append(list(csv.DictReader(file)))
+        rows, without_symmetry = tables
         self.assertEqual([int(row["degree"]) for row in rows], list(range(1, 11)))
-        for row in rows:
+        self.assertEqual([int(row["degree"]) for row in without_symmetry], [3])
+        for row in rows + without_symmetry:
             path = os.path.join(folder, row["file"])
             with open(path, encoding="utf-8") as file:
                 nodes = json.load(file)

@@ -274,6 +274,28 @@ class Solve(ProgramTest):
                 self.write("changed.json", {**certificate, key: wrong})
                 self.expect(2, "check", "changed.json")
 
+    def test_degrees_to_10_reproduce_polynomials(self):
+        # On plane faces a polynomial of the degree of the basis has no error but that of the integrals.
+        def problem(degree, **changes):
+            return self.write(f"p{degree}.json", {
+                "schema": "radcert/problem/1", "surface": {"name": "two_squares"}, "triangulation": {"levels": [0]},
+                "basis": {"family": "inset", "degree": degree, "alpha": "1/20"}, "reflectivity": "1/2",
+                "solution": "(x + y/2 - z)^10 + x^8*y + (z - x)^9", **changes})
+
+        def error(degree):
+            return json.loads(self.solution(problem(degree)))["levels"][0]["node_error"]
+
+        for degree in (8, 9):
+            found = error(degree)
+            self.assertGreater(found["value"], 1e3*found["radius"], degree)
+        self.assertLess(error(10)["value"], 1e-11)
+        for degree, changes, said in [(11, {}, "from 0 to 10"),
+                                      (9, {"solver": {"name": "verified"}}, "a degree up to 8")]:
+            done = self.run_program("solve", problem(degree, **changes))
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn("/basis/degree", done.stderr.decode())
+            self.assertIn(said, done.stderr.decode())
+
     def test_errors_are_null_without_a_solution_and_ratios_are_quotients_with_one(self):
         emitted = json.loads(self.solution(self.write("p.json", small(solution=None, emission="1"))))
         for level in emitted["levels"]:

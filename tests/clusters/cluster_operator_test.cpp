@@ -140,7 +140,7 @@ void expect_agreement(const Discretisation& d, double tolerance, int refinements
 
 TEST(ClusterOperator, AgreesWithTheDenseMatrixForEveryDegree) {
   // Leaves of one element, so that small problems have couplings.
-  for (int degree = 0; degree <= 8; ++degree) {
+  for (int degree = 0; degree <= 10; ++degree) {
     const int level = degree == 0 ? 3 : 2;
     const double tolerance = degree == 0 ? 1e-8 : degree <= 4 ? 1e-4 : 1e-3;
     // No small problem of a degree above 6 has couplings on the ellipsoid.

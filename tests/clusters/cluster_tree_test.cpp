@@ -108,6 +108,7 @@ TEST(ClusterTree, HasLeavesOfAtMost180Unknowns) {
   EXPECT_EQ(leaf_refinements(10), 2);
   EXPECT_EQ(leaf_refinements(15), 1);
   EXPECT_EQ(leaf_refinements(45), 1);
+  EXPECT_EQ(leaf_refinements(66), 0);
   EXPECT_THROW(static_cast<void>(leaf_refinements(0)), ContractViolation);
 }
 

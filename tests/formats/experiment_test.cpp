@@ -124,7 +124,7 @@ TEST(Experiment, IsRefusedWithThePlaceInItsFile) {
                          {base, R"({"emission": ["1"]})", "/vary/emission", "no error to compare"},
                          {R"({"schema": "radcert/problem/1"})", vary, "/base/schema", "unknown key"},
                          {"{}", vary, "/base/triangulation", "is missing"},
-                         {whole, R"({"basis": [)" + basis + R"(, {"family": "inset", "degree": 9}]})",
+                         {whole, R"({"basis": [)" + basis + R"(, {"family": "inset", "degree": 11}]})",
                           "/vary/basis/1/degree", "outside the range"},
                          {R"({"surface": {"name": "cub"}})", R"({"basis": [)" + basis + "]}",
                           "/base/surface/name", "did you mean cube?"},

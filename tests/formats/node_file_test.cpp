@@ -5,8 +5,12 @@
 #include <gtest/gtest.h>
 
 #include "radcert/core/errors.h"
+#include "radcert/core/files/atomic_file.h"
 #include "radcert/expression/parse.h"
+#include "radcert/formats/json/json_document.h"
+#include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/problem/polynomial_expression.h"
+#include "radcert/polynomial/nodes/free_nodes.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
 #include "tests/core/refusal.h"
@@ -231,6 +235,56 @@ TEST(NodeFile, RefusesIntervalsThatDoNotIsolate) {
     const std::string message = refusal(text);
     EXPECT_THAT(message, HasSubstr(said)) << text;
   }
+}
+
+// Ten cubic nodes of a published table, whose certificate holds the numbers that were chosen and no others.
+TEST(NodeFile, ProvesNodesWithoutSymmetryAgain) {
+  const std::string text =
+      read_file(std::string(RADCERT_SOURCE_DIR) + "/papers/radcert/tables/free_3.json", 1 << 20);
+  const NodeFile file = parse_nodes(text, "own.json");
+  ASSERT_TRUE(file.certificate.has_value());
+  EXPECT_EQ(file.certificate->triangle.degree, 4);
+  EXPECT_EQ(file.certificate->parallelogram.degree, 7);
+  EXPECT_LE(file.certificate->radius, 1 / power(Rational(10), 59));
+  const JsonValue document = parse_json(text, "own.json");
+  const std::vector<JsonReader> held = JsonReader(document).at("certificate", "").at("held", "").elements("");
+  ASSERT_EQ(held.size(), 10u);
+  FreeNodes set{.degree = 3, .triangle = 4, .parallelogram = 6, .nodes = {}};
+  for (std::size_t j = 0; j < held.size(); ++j) {
+    const std::array<Rational, 3>& x = file.functions.nodes()[j].x;
+    FreeNode node{.s = x[2], .t = x[1]};
+    for (const JsonReader& name : held[j].elements(""))
+      (name.string("") == "x2" ? node.holds_t : node.holds_s) = true;
+    // What was chosen is the true coordinate, of which the others are sixty digits.
+    const std::array<Ball, 3>& proved = file.certificate->rule.points[j].x;
+    EXPECT_EQ(proved[1].contains(x[1]), node.holds_t) << j;
+    EXPECT_EQ(proved[2].contains(x[2]), node.holds_s) << j;
+    set.nodes.push_back(node);
+  }
+  const Rational radius = file.certificate->radius;
+  const NodeFile again = parse_nodes(nodes_json(set, radius).pretty(), "own.json");
+  EXPECT_EQ(again.functions.nodes(), file.functions.nodes());
+  EXPECT_EQ(again.certificate->parallelogram.degree, 7);
+
+  const auto with = [&](const auto& change) {
+    FreeNodes changed = set;
+    change(changed);
+    return refusal(nodes_json(changed, radius).pretty());
+  };
+  EXPECT_THAT(with([](FreeNodes& n) { n.nodes[4].s += Rational(1, 1000000); }), HasSubstr("proves nothing"));
+  EXPECT_THAT(with([](FreeNodes& n) { n.parallelogram = 7; }), HasSubstr("/certificate/parallelogram"));
+  EXPECT_THAT(with([](FreeNodes& n) { n.parallelogram = 8; }), HasSubstr("unknowns for"));
+  EXPECT_THAT(with([](FreeNodes& n) { n.triangle = 2; }), HasSubstr("/certificate/precision"));
+  EXPECT_THAT(with([](FreeNodes& n) { n.nodes[0].holds_s = !n.nodes[0].holds_s; }),
+              HasSubstr("unknowns for"));
+  const auto replaced = [&](const std::string& old, const std::string& put) {
+    std::string other = text;
+    other.replace(other.find(old), old.size(), put);
+    return refusal(other);
+  };
+  EXPECT_THAT(replaced("\"x2\"", "\"x1\""), HasSubstr("/certificate/held"));
+  EXPECT_THAT(replaced("\"held\"", "\"orbits\": [], \"held\""), HasSubstr("orbits"));
+  EXPECT_THAT(replaced("\"held\": [", "\"held\": [[],"), HasSubstr("is for 11 nodes"));
 }
 
 // The files that come with radcert: their certificates hold, and they are the sets of the library.

@@ -26,7 +26,7 @@ std::vector<double> sampled(const TriangleBasis<double>& basis, int steps) {
 }
 
 TEST(LargestValues, BoundTheFunctionsAndAreClose) {
-  for (int degree = 0; degree <= 8; ++degree)
+  for (int degree = 0; degree <= 10; ++degree)
     for (const double inset : {0.0, 1.0 / 6, 0.01, 0.3}) {
       const TriangleBasis<double> basis(InsetBasis<double>(degree, inset));
       const std::vector<double> bound = largest_values(basis);

@@ -179,7 +179,7 @@ class Problems(ModuleTest):
     def test_what_a_file_could_not_say_is_refused_with_its_place(self):
         for changes, place, words in [
             ({"basis": {"family": "inset", "degree": 1, "alpha": "1/3"}}, "/basis/alpha", "is outside the range"),
-            ({"basis": rc.inset(9, "1/6")}, "/basis/degree", "from 0 to 8"),
+            ({"basis": rc.inset(11, "1/6")}, "/basis/degree", "from 0 to 10"),
             ({"basis": "gausian"}, "/basis", ""),
             ({"reflectivity": float("nan")}, "/reflectivity", "is not finite"),
             ({"reflectivity": {"floor": float("inf"), "*": 0}}, "/reflectivity/floor", "is not finite"),

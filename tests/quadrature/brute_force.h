@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "radcert/kernel/geometric_kernel.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/polynomial/rules/gauss.h"
 #include "radcert/surface/catalogue/box.h"
@@ -238,7 +239,7 @@ private:
             std::abs(dot(d, normal_)) * norm(frame.area_normal) + std::abs(dot(d, frame.area_normal));
         movement = std::abs(weight) * largest_coordinate_ * tilted / power(norm(d), 4);
       }
-      std::array<Long, 45> l;
+      std::array<Long, most_basis_functions> l;
       basis_.values(x, l);
       result.total += g;
       for (std::size_t j = 0; j < basis_.size(); ++j) {

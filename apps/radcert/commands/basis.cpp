@@ -17,6 +17,7 @@
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/problem/node_file.h"
 #include "radcert/formats/result/basis_json.h"
+#include "radcert/polynomial/nodes/free_search.h"
 #include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "records/basis_records.h"
 
@@ -244,8 +245,11 @@ ExitCode give_table(const Common& common, const BasisOptions& options) {
   for (const auto& [option, value] : {std::pair("--csv", options.csv), std::pair("--latex", options.latex),
                                       std::pair("--nodes", options.nodes)})
     refuse_option(option, value, "a table, which has its files in the folder of --out");
-  const DegreeRange range =
-      degrees_of(options.degree.empty() ? "1-10" : options.degree, 1, largest_searched_degree);
+  const bool is_symmetric = symmetry_asked(options.search);
+  const DegreeRange range = degrees_of(!options.degree.empty() ? options.degree
+                                       : is_symmetric          ? "1-10"
+                                                               : "2-4",
+                                       1, is_symmetric ? largest_searched_degree : largest_free_degree);
   return show_basis_table(common, options.out, range.first, range.last, options.search);
 }
 
@@ -280,16 +284,18 @@ void add_basis(Program& program) {
   command.word("NAME", options->name,
                "inset, symmetric, search, table, or a file of nodes (radcert schema nodes)");
   command.option("--degree", options->degree,
-                 "The degree, of inset nodes up to 12, of which solve takes 8; or several as 1-10: then a "
+                 "The degree, of inset nodes up to 12, of which solve takes 10; or several as 1-10: then a "
                  "table, a row each",
                  "R");
   command.option("--alpha", options->alpha, "Of inset nodes: a number in [0, 1/3), or superconvergent", "A");
   command.option("--csv", options->csv, "Nodes and weights", "FILE");
   command.option("--latex", options->latex, "A table, a row a basis", "FILE");
   command.option("--nodes", options->nodes, "The nodes as a file that radcert reads", "FILE");
-  command.option("--out", options->out,
-                 "Of a table: the folder of nodes.csv and nodes_R.json, whose nodes are looked at too",
-                 "DIR");
+  command.option(
+      "--out", options->out,
+      "Of a table: the folder of nodes.csv and nodes_R.json, or with --symmetric off of free.csv and "
+      "free_R.json, whose nodes are looked at too",
+      "DIR");
   command.option(
       "--goal", options->search.goal,
       "Of a search: orders (default: the least precision with the best orders), precision (the largest), "

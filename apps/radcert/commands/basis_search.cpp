@@ -144,12 +144,9 @@ std::optional<SearchedBasis> searched_without_symmetry(const Common& common, con
     complain("the nodes that were found are not proved: " + certificate.reason());
     return std::nullopt;
   }
-  std::vector<Barycentric<Rational>> nodes;
-  for (const FreeNode& node : found.best->nodes.nodes)
-    nodes.push_back({{Rational(1) - node.s - node.t, node.t, node.s}});
   SearchedBasis out;
-  out.nodes = nodes_json(goal.degree, nodes);
-  out.record = certified_record("search", nodes, *certificate);
+  out.nodes = nodes_json(found.best->nodes, symmetric_radius());
+  out.record = certified_record("search", found.best->nodes.points(), *certificate);
   out.search = JsonValue::object({{"precision", goal.triangle},
                                   {"positive", false},
                                   {"symmetric", false},
@@ -173,6 +170,12 @@ std::optional<std::pair<std::string, std::string>> BasisSearchOptions::any() con
   return std::nullopt;
 }
 
+bool symmetry_asked(const BasisSearchOptions& options) {
+  if (options.symmetric.empty() || options.symmetric == "on") return true;
+  if (options.symmetric == "off") return false;
+  throw InputError({.source = "--symmetric", .value = options.symmetric, .allowed = "on, off"});
+}
+
 std::string node_file(const Common& common, const JsonValue& nodes) {
   JsonValue out = JsonValue::object();
   for (const JsonValue::Member& member : *nodes.members()) {
@@ -187,16 +190,14 @@ std::string node_file(const Common& common, const JsonValue& nodes) {
 std::optional<SearchedBasis> searched_basis(const Common& common, const BasisSearchOptions& options,
                                             int degree, const Outputs& outputs,
                                             const std::string& nodes_file) {
-  if (!options.symmetric.empty() && options.symmetric != "on" && options.symmetric != "off")
-    throw InputError({.source = "--symmetric", .value = options.symmetric, .allowed = "on, off"});
+  const bool is_symmetric = symmetry_asked(options);
   const SearchEffort effort{
       .starts =
           static_cast<int>(whole("--starts", options.starts, SearchEffort().starts, 1, most_search_starts)),
       .seed = whole("--seed", options.seed, 1, 0, std::numeric_limits<std::uint32_t>::max())};
   const std::uint64_t seconds = whole("--seconds", options.seconds, 0, 1, 10'000'000);
   const auto limit = common.limit_threads();
-  if (options.symmetric == "off")
-    return searched_without_symmetry(common, free_goal_of(options, degree), effort, seconds);
+  if (!is_symmetric) return searched_without_symmetry(common, free_goal_of(options, degree), effort, seconds);
   const SymmetricGoal goal = goal_of(options, degree);
   SearchResult found;
   try {

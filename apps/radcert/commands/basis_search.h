@@ -26,6 +26,9 @@ struct BasisSearchOptions {
   [[nodiscard]] std::optional<std::pair<std::string, std::string>> any() const;
 };
 
+/// Whether symmetric nodes are asked for; InputError for another word than on and off.
+[[nodiscard]] bool symmetry_asked(const BasisSearchOptions& options);
+
 /// The nodes that a search found, and what is proved of them.
 struct SearchedBasis {
   BasisRecord record;

@@ -45,7 +45,12 @@ struct KnownNodes {
   std::optional<TriangleBasisChoice> basis;  ///< of a degree that problems are solved with
 };
 
-std::string file_name(int degree) { return "nodes_" + std::to_string(degree) + ".json"; }
+/// What the names of the files begin with.
+std::string files_of(const BasisSearchOptions& search) { return symmetry_asked(search) ? "nodes" : "free"; }
+
+std::string file_name(const BasisSearchOptions& search, int degree) {
+  return files_of(search) + "_" + std::to_string(degree) + ".json";
+}
 
 KnownNodes known_nodes(std::string text, const std::string& name) {
   NodeFile file = parse_nodes(text, name);
@@ -69,12 +74,12 @@ std::optional<KnownNodes> best_nodes(const Common& common, const std::filesystem
                                      const BasisSearchOptions& search, const Outputs& outputs) {
   std::optional<KnownNodes> best;
   const auto look_at = [&](std::string text) {
-    KnownNodes nodes = known_nodes(std::move(text), file_name(degree));
+    KnownNodes nodes = known_nodes(std::move(text), file_name(search, degree));
     if (!best || is_better(nodes.record, best->record)) best = std::move(nodes);
   };
-  const std::filesystem::path kept = folder / file_name(degree);
+  const std::filesystem::path kept = folder / file_name(search, degree);
   if (std::filesystem::exists(kept)) look_at(read_input(kept, json_size_limit).text);
-  if (degree <= largest_symmetric_degree)
+  if (symmetry_asked(search) && degree <= largest_symmetric_degree)
     look_at(node_file(common, nodes_json(symmetric_nodes(degree), symmetric_radius())));
   if (!search.starts.empty())
     if (const auto found = searched_basis(common, search, degree, outputs, {}))
@@ -137,7 +142,7 @@ std::string levels_text(const std::vector<int>& levels) {
   return out;
 }
 
-std::string csv_of(const std::vector<Row>& rows) {
+std::string csv_of(const std::vector<Row>& rows, const BasisSearchOptions& search) {
   std::vector<std::string> names{"degree",      "nodes",      "precision_triangle", "precision_parallelogram",
                                  "norm_lower",  "norm_upper", "negative_weights",   "order_everywhere",
                                  "order_nodes", "logarithm",  "order_smooth_kernel"};
@@ -167,7 +172,7 @@ std::string csv_of(const std::vector<Row>& rows) {
       cells.push_back(finite_or_null(halfwidth(fit)));
       cells.emplace_back(levels_text(fit.levels));
     }
-    cells.emplace_back(file_name(facts.degree));
+    cells.emplace_back(file_name(search, facts.degree));
     table.add(cells);
   }
   return table.text();
@@ -207,8 +212,9 @@ ExitCode show_basis_table(const Common& common, const std::string& folder, int f
   if (folder.empty())
     throw InputError({.source = "--out", .problem = "is missing", .allowed = "a folder for nodes.csv"});
   Outputs outputs(common);
-  std::vector<std::string> names{"nodes.csv"};
-  for (int degree = first; degree <= last; ++degree) names.push_back(file_name(degree));
+  const std::string csv_name = files_of(search) + ".csv";
+  std::vector<std::string> names{csv_name};
+  for (int degree = first; degree <= last; ++degree) names.push_back(file_name(search, degree));
   outputs.folder("--out", folder, names);
   const auto limit = common.limit_threads();
   const std::uint64_t memory = common.memory_limit();
@@ -234,11 +240,11 @@ ExitCode show_basis_table(const Common& common, const std::string& folder, int f
       row.measured.push_back(
           row.nodes.basis ? measured(table_problem(choice, *row.nodes.basis), memory, levels) : OrderFit());
     }
-    files.emplace_back(std::filesystem::path(folder) / file_name(degree), row.nodes.text);
+    files.emplace_back(std::filesystem::path(folder) / file_name(search, degree), row.nodes.text);
     records.push_back(row.nodes.record);
     rows.push_back(std::move(row));
   }
-  files.emplace_back(std::filesystem::path(folder) / "nodes.csv", csv_of(rows));
+  files.emplace_back(std::filesystem::path(folder) / csv_name, csv_of(rows, search));
   print_result(common, outputs, text_of(rows), basis_record_json(records, common.command).pretty() + "\n",
                std::move(files));
   return rows.size() == static_cast<std::size_t>(last - first + 1) ? ExitCode::done : ExitCode::differs;

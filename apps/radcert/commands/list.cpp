@@ -82,7 +82,7 @@ std::vector<Entry> bases() {
   return {
       {.name = "inset",
        .summary = "polynomials with the nodes of m06 (13) pulled in from the corners",
-       .parameters = {{"degree", "a whole number from 0 to 8", ""},
+       .parameters = {{"degree", "a whole number from 0 to 10", ""},
                       {"alpha", "a number in [0, 1/3), superconvergent at degrees 1 and 3; none at degree 0",
                        ""}}},
       {.name = "symmetric",

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "radcert/core/contract.h"
+#include "radcert/polynomial/basis_limits.h"
 
 namespace radcert {
 namespace {
@@ -143,7 +144,8 @@ ParameterTriangle ClusterTree::element(std::size_t number) const {
 }
 
 int leaf_refinements(std::size_t functions) {
-  expects(functions >= 1 && functions <= 45, "1 to 45 functions", named("functions", functions));
+  expects(functions >= 1 && functions <= most_basis_functions, "1 to 66 functions",
+          named("functions", functions));
   constexpr std::size_t most_unknowns = 180;
   int refinements = 0;
   for (std::size_t unknowns = functions; 4 * unknowns <= most_unknowns; unknowns *= 4) ++refinements;

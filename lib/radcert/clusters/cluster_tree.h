@@ -52,7 +52,7 @@ private:
 
 /// The number of symmetric refinements from a leaf to its elements, of `functions` unknowns each: the largest
 /// with at most 180 unknowns a leaf.
-/// Requires  1 <= functions <= 45
+/// Requires  1 <= functions <= 66
 [[nodiscard]] int leaf_refinements(std::size_t functions);
 
 }  // namespace radcert

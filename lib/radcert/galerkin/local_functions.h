@@ -26,7 +26,7 @@ using SurfaceWeight = std::function<double(std::size_t chart, const Vector<doubl
 /// Requires  a weight that is positive at the points of the rules, else ContractViolation
 /// Result    rounded. defect(k) is an estimate of how far the mass matrix of the psi_a is from the identity,
 ///           the largest row sum: what two rules differ by, and rounding
-/// Limits    degree <= 8
+/// Limits    degree <= 10
 class LocalFunctions {
 public:
   LocalFunctions(const Surface& surface, const Triangulation& triangulation,

@@ -7,6 +7,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/barycentric.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/nodes/lattice.h"
 
 namespace radcert {
@@ -17,18 +18,18 @@ namespace radcert {
 ///           a)/(k_i - a);  l_k(q_m) = delta_km
 /// Source    [m06, (13)-(15)]; r = 1: [ac98, (33)-(34)]; r = 0, the centroid: [ac98, (38)]; the product form
 ///           is Silvester's
-/// Requires  0 <= degree <= 8, 0 <= inset < 1/3, else ContractViolation; degree 0 does not use the inset
+/// Requires  0 <= degree <= 10, 0 <= inset < 1/3, else ContractViolation; degree 0 does not use the inset
 /// Result    values(x)[j] = l_j(x), j in the order of nodes(): k_1 falling, then k_2 falling, so that degree
 ///           1 has the order of [ac98, (33)]; two roundings a factor
 /// Limits    interpolants jump across triangle edges unless inset = 0
 template <Field R>
 class InsetBasis {
 public:
-  static constexpr int largest_degree = 8;
+  static constexpr int largest_degree = largest_basis_degree;
 
   InsetBasis(int degree, const R& inset)
       : degree_(degree), inset_(degree == 0 ? R(0) : inset), scale_(R(degree) / (R(1) - R(3) * inset_)) {
-    expects(0 <= degree && degree <= largest_degree, "0 <= degree <= 8", named("degree", degree));
+    expects(0 <= degree && degree <= largest_degree, "0 <= degree <= 10", named("degree", degree));
     expects(!certainly_negative(inset_) && certainly_less(R(3) * inset_, R(1)), "0 <= inset < 1/3",
             named("inset", inset_));
     lattice_ = lattice_indices(degree);

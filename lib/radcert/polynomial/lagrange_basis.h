@@ -7,6 +7,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/polynomial/barycentric.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
@@ -16,7 +17,7 @@ namespace radcert {
 /// Lagrange interpolation by polynomials of degree r at any unisolvent nodes of a triangle.
 /// Maths     l_j = sum_k c_kj B_k, B_k(x) = r!/(k_1! k_2! k_3!) x_1^k_1 x_2^k_2 x_3^k_3, |k| = r
 /// Source    as LagrangeFunctions, whose exact nodes and coefficients are rounded once
-/// Requires  0 <= degree <= 8, else ContractViolation
+/// Requires  0 <= degree <= 10, else ContractViolation
 /// Result    values(x)[j] = l_j(x), j in the order of nodes(). In the triangle B_k >= 0 and their sum is 1:
 ///           the rounding error of l_j is at most about (2 r + (r + 1)(r + 2)/2) max_k |c_kj| units. The same
 ///           bits on every machine
@@ -24,10 +25,10 @@ namespace radcert {
 template <Field R>
 class LagrangeBasis {
 public:
-  static constexpr int largest_degree = 8;
+  static constexpr int largest_degree = largest_basis_degree;
 
   explicit LagrangeBasis(const LagrangeFunctions& functions) : degree_(functions.degree()) {
-    expects(degree_ <= largest_degree, "0 <= degree <= 8", named("degree", degree_));
+    expects(degree_ <= largest_degree, "0 <= degree <= 10", named("degree", degree_));
     for (const Barycentric<Rational>& q : functions.nodes())
       nodes_.push_back({{entered(q.x[0]), entered(q.x[1]), entered(q.x[2])}});
     lattice_ = lattice_indices(degree_);

@@ -18,10 +18,10 @@ namespace radcert {
 ///           r whose values at the principal lattice determine its Bernstein coefficients, of which it is a
 ///           convex combination: the largest of their sizes, over all triangles, bounds |l_j|
 /// Source    Farin, Curves and Surfaces for CAGD, chapter 17: the convex hull property
-/// Requires  degree <= 8, as TriangleBasis
+/// Requires  degree <= 10, as TriangleBasis
 /// Result    upper bounds, above the maximum by a quarter at degree 8, by 2^-20 at degrees 0 and 1. Roundings
 ///           are less than the part 2^-20 that is added: values are right to 2^10 units in the last place,
-///           and the sizes of the numbers that take them to coefficients sum to less than 2^12
+///           and the sizes of the numbers that take them to coefficients sum to less than 2^13
 /// Limits    for radii; lebesgue_constant encloses the norm of the interpolation
 template <Real R>
 std::vector<R> largest_values(const TriangleBasis<R>& basis) {

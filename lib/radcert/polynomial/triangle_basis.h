@@ -16,7 +16,7 @@ namespace radcert {
 /// Source    [m06, (13)-(15)]
 /// Requires  made of an InsetBasis, which keeps its product formula, or of exact Lagrange functions
 /// Result    as the basis that it was made of, to the bit
-/// Limits    degrees 0 to 8
+/// Limits    degrees 0 to 10
 template <Field R>
 class TriangleBasis {
 public:
@@ -52,7 +52,7 @@ private:
 
 /// The basis of exact Lagrange functions, in the arithmetic of the pipeline.
 /// Maths     nodes and Bernstein coefficients, rounded once
-/// Requires  0 <= degree <= 8, else ContractViolation
+/// Requires  0 <= degree <= 10, else ContractViolation
 /// Result    see LagrangeBasis
 template <Field R>
 TriangleBasis<R> make_triangle_basis(const LagrangeFunctions& functions) {

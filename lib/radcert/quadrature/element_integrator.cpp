@@ -268,8 +268,8 @@ typename Block<R>::Type ElementIntegrator<R>::far_rounding(std::size_t points, c
   const R u = unit_roundoff<R>();
   const B largest_value = B(scheme_->largest_value(j));
   const B share = B(view_->share[j]);
-  const B by_value = rounding_bound(points, far_[0].size, B(view_->area) * bounds.lean, u);
-  const B by_kernel = rounding_bound(points, bounds.largest, bounds.lean, u);
+  const B by_value = rounding_bound(points, basis().size(), far_[0].size, B(view_->area) * bounds.lean, u);
+  const B by_kernel = rounding_bound(points, basis().size(), bounds.largest, bounds.lean, u);
   return min(largest_value * by_value, share * by_kernel);
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "radcert/kernel/rounded_kernel.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/quadrature/collocation_point.h"
 #include "radcert/quadrature/samples.h"
 
@@ -17,11 +18,11 @@ namespace radcert {
 ///           (weighted), X the largest coordinate; for chords the products of lengths |bend| |n| stand for
 ///           |X|.  g_q = G(P,Q_q) times area element and weight
 /// Source    [ac98, (40)]
-/// Requires  at most 45 functions (degree 8)
+/// Requires  at most 66 functions (degree 10)
 /// Result    see `rounding`
 template <Real R>
 struct KernelSums {
-  static constexpr std::size_t most_functions = 45;
+  static constexpr std::size_t most_functions = most_basis_functions;
   std::size_t functions;  ///< the first so many places of the arrays are in use
   std::array<R, most_functions> value;
   std::array<R, most_functions> size;
@@ -112,13 +113,14 @@ KernelSums<R> chord_sums(const CollocationPoint<R>& p, const Chart& chart, const
 /// A bound for what rounding did to value_j, to first order in the unit roundoff u.
 /// Maths     (points + 60) u size_j + 8 u tilt_j: each term passes at most 60 roundings in chart, kernel,
 ///           weight and basis, a sum of k terms at most k more; coordinates are off by at most 8 u of the
-///           largest
+///           largest. More than 45 functions have a degree above 8: ten roundings more
 /// Source    standard model of rounding; the counts are those of the formulas in this layer
 /// Requires  no point of the cell nearer to P than least_distance
 /// Result    a bound if the chart's own formula loses no more than 8 u of the largest coordinate
 template <class V, class R>
-V rounding_bound(std::size_t points, const V& size, const V& tilt, const R& u) {
-  return V(R(static_cast<double>(points + 60)) * u) * size + V(R(coordinate_roundings) * u) * tilt;
+V rounding_bound(std::size_t points, std::size_t functions, const V& size, const V& tilt, const R& u) {
+  const std::size_t of_a_term = functions > 45 ? 70 : 60;
+  return V(R(static_cast<double>(points + of_a_term)) * u) * size + V(R(coordinate_roundings) * u) * tilt;
 }
 
 /// The distance from which on P and Q are told apart by their rounded coordinates.
@@ -135,7 +137,7 @@ R least_distance(const R& extent) {
 /// What rounding may have changed of the sum with function j, see rounding_bound.
 template <Real R>
 R rounding(const KernelSums<R>& sums, std::size_t j) {
-  return rounding_bound(sums.points, sums.size[j], sums.tilt[j], unit_roundoff<R>());
+  return rounding_bound(sums.points, sums.functions, sums.size[j], sums.tilt[j], unit_roundoff<R>());
 }
 
 extern template struct KernelSums<double>;

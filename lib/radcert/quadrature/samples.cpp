@@ -3,6 +3,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/lazy_table.h"
+#include "radcert/polynomial/basis_limits.h"
 
 namespace radcert {
 namespace {
@@ -105,7 +106,7 @@ void take_samples(const Chart& chart, const ElementPart<R>& cell,
     array->resize(size);
   out.basis.resize(size * out.functions);
 
-  std::array<B, 45> values;
+  std::array<B, most_basis_functions> values;
   for (std::size_t q = 0; q < size; q += Block<R>::lanes) {
     const std::array<B, 3> c{Block<R>::load(&rule.x[0][q]), Block<R>::load(&rule.x[1][q]),
                              Block<R>::load(&rule.x[2][q])};

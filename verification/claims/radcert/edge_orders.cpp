@@ -24,7 +24,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,7 +34,7 @@
 #include "radcert/formats/result/stored_levels.h"
 #include "radcert/study/edge_grading.h"
 #include "radcert/study/study.h"
-#include "radcert/surface/mesh_surface.h"
+#include "verification/claims/radcert/mesh_choice.h"
 #include "verification/framework/level_errors.h"
 
 namespace radcert::verification::radcert {
@@ -61,18 +60,9 @@ SurfaceChoice groove(long degrees) {
   mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 4, 1}, {0, 5, 4}};
   const std::vector<std::size_t> pieces{0, 0, 1, 1};
   const std::vector<std::string> names{"floor", "wall"};
-  const std::string name = "two squares at " + std::to_string(degrees) + " degrees";
-  const Surface surface = mesh_surface(
-      name, mesh, pieces, names,
+  return mesh_choice(
+      "two squares at " + std::to_string(degrees) + " degrees", mesh, pieces, names,
       {.orientation = Orientation::along_the_cross_product, .closed = false, .unoccluded = true});
-  return {.name = name,
-          .parameters = {},
-          .mesh = MeshChoice{.file = name,
-                             .digest = name,
-                             .angle = 20,
-                             .repair = {},
-                             .mended = {},
-                             .surface = std::make_shared<const Surface>(surface)}};
 }
 
 Problem linear_problem(SurfaceChoice surface, const Rational& rho) {

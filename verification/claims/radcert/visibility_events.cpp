@@ -24,8 +24,8 @@
 #include "radcert/formats/result/stored_levels.h"
 #include "radcert/study/events/event_triangulation.h"
 #include "radcert/study/study.h"
-#include "radcert/surface/mesh_surface.h"
 #include "verification/claims/radcert/light_past_boxes.h"
+#include "verification/claims/radcert/mesh_choice.h"
 #include "verification/framework/level_errors.h"
 
 namespace radcert::verification::radcert {
@@ -73,17 +73,9 @@ public:
     }
   }
   [[nodiscard]] SurfaceChoice surface(const std::string& name) const {
-    const Surface surface = mesh_surface(
+    return mesh_choice(
         name, mesh_, pieces_, names_,
         {.orientation = Orientation::along_the_cross_product, .closed = true, .unoccluded = false});
-    return {.name = name,
-            .parameters = {},
-            .mesh = MeshChoice{.file = name,
-                               .digest = name,
-                               .angle = 20,
-                               .repair = {},
-                               .mended = {},
-                               .surface = std::make_shared<const Surface>(surface)}};
   }
 
 private:

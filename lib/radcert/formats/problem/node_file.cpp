@@ -17,6 +17,7 @@
 #include "radcert/formats/problem/polynomial_expression.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/polynomial/real_zeros.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/real.h"
 
@@ -26,6 +27,8 @@ namespace {
 
 constexpr const char* schema = "radcert/nodes/1";
 constexpr int largest_node_degree = 12;
+constexpr int largest_claimed_precision = 40;
+constexpr const char* precision_allowed = "the degree of precision, from the degree of the nodes to 40";
 constexpr const char* coordinate_allowed = "a decimal or fraction in a string, from 0 to 1";
 
 // A problem is solved with fractions so close to irrational numbers: as many digits as node files have, and
@@ -202,11 +205,10 @@ SymmetricNodes symmetric_of(const JsonReader& certificate, int degree,
   certificate.require_object({"method", "precision", "radius", "orbits"});
   const std::vector<std::string> methods = {"krawczyk"};
   (void)certificate.at("method", "krawczyk").word(methods);
-  const std::string precision_allowed = "the degree of precision, from the degree of the nodes to 40";
   SymmetricNodes set;
   set.degree = degree;
-  set.precision =
-      static_cast<int>(certificate.at("precision", precision_allowed).whole(degree, 40, precision_allowed));
+  set.precision = static_cast<int>(certificate.at("precision", precision_allowed)
+                                       .whole(degree, largest_claimed_precision, precision_allowed));
   const JsonReader list = certificate.at("orbits", "an array of orbits in the order of the nodes");
   std::size_t place = 0;
   for (const JsonReader& orbit : list.elements("orbits in the order of the nodes")) {
@@ -230,18 +232,64 @@ SymmetricNodes symmetric_of(const JsonReader& certificate, int degree,
   return set;
 }
 
+// The nodes of a certificate without orbits, with the weights of their interpolatory rule.
+FreeNodes free_of(const JsonReader& certificate, const LagrangeFunctions& functions) {
+  certificate.require_object({"method", "precision", "parallelogram", "radius", "held"});
+  const std::vector<std::string> methods = {"krawczyk"};
+  (void)certificate.at("method", "krawczyk").word(methods);
+  FreeNodes set;
+  set.degree = functions.degree();
+  set.triangle = static_cast<int>(certificate.at("precision", precision_allowed)
+                                      .whole(set.degree, largest_claimed_precision, precision_allowed));
+  const std::string even_allowed = "an even degree of precision on the parallelogram, from 0 to 40";
+  const JsonReader even = certificate.at("parallelogram", even_allowed);
+  set.parallelogram = static_cast<int>(even.whole(0, largest_claimed_precision, even_allowed));
+  if (set.parallelogram % 2 != 0) even.refuse("is odd", even_allowed);
+  const TriangleRule<Rational> rule = interpolatory_rule(functions);
+  const std::string held_allowed = "for each node which of \"x2\" and \"x3\" were chosen";
+  const JsonReader list = certificate.at("held", held_allowed);
+  const std::vector<JsonReader> held = list.elements(held_allowed);
+  if (held.size() != functions.size())
+    list.refuse(
+        "is for " + std::to_string(held.size()) + " nodes in place of " + std::to_string(functions.size()),
+        held_allowed);
+  for (std::size_t j = 0; j < held.size(); ++j) {
+    const std::array<Rational, 3>& x = functions.nodes()[j].x;
+    FreeNode node{.s = x[2], .t = x[1], .weight = rule.weights[j]};
+    for (const JsonReader& name : held[j].elements(held_allowed)) {
+      const std::vector<std::string> coordinates = {"x2", "x3"};
+      (name.word(coordinates) == "x2" ? node.holds_t : node.holds_s) = true;
+    }
+    set.nodes.push_back(std::move(node));
+  }
+  return set;
+}
+
 /// `space` is empty for all polynomials of the degree.
-std::optional<SymmetricCertificate> read_certificate(const JsonReader& root, int degree,
-                                                     const std::vector<Barycentric<Rational>>& nodes,
+std::optional<SymmetricCertificate> read_certificate(const JsonReader& root,
+                                                     const LagrangeFunctions& functions,
                                                      std::span<const PlanePolynomial<Rational>> space) {
   const auto certificate = root.find("certificate");
   if (!certificate) return std::nullopt;
-  const SymmetricNodes set = symmetric_of(*certificate, degree, nodes);
   const std::string radius_allowed = "a positive number";
-  const JsonReader at = certificate->at("radius", radius_allowed);
-  const Rational radius = at.rational(radius_allowed);
-  if (radius.sign() <= 0) at.refuse("is not allowed", radius_allowed);
-  Outcome<SymmetricCertificate> proof = certify(set, radius, space);
+  const auto radius = [&] {
+    const JsonReader at = certificate->at("radius", radius_allowed);
+    Rational value = at.rational(radius_allowed);
+    if (value.sign() <= 0) at.refuse("is not allowed", radius_allowed);
+    return value;
+  };
+  const auto proof_of = [&]() -> Outcome<SymmetricCertificate> {
+    const auto held = certificate->find("held");
+    if (!held) {
+      const SymmetricNodes set = symmetric_of(*certificate, functions.degree(), functions.nodes());
+      return certify(set, radius(), space);
+    }
+    if (!space.empty())
+      held->refuse("is for all polynomials of a degree", "orbits, where the file has a space");
+    const FreeNodes set = free_of(*certificate, functions);
+    return certify(set, radius());
+  };
+  Outcome<SymmetricCertificate> proof = proof_of();
   if (!proof) certificate->refuse("proves nothing: " + proof.reason(), "a claim that Krawczyk's test proves");
   return *std::move(proof);
 }
@@ -339,8 +387,7 @@ NodeFile read_own_space(const JsonReader& root, const JsonReader& key) {
   require_constants(key, *functions);
   std::vector<std::string> texts;
   for (const JsonReader& place : places) texts.push_back(*place.value().string());
-  std::optional<SymmetricCertificate> certificate =
-      read_certificate(root, space.degree, nodes.near, polynomials);
+  std::optional<SymmetricCertificate> certificate = read_certificate(root, *functions, polynomials);
   if (nodes.exact) nodes.exact->space = std::move(polynomials);
   return {.functions = *std::move(functions),
           .algebraic = std::move(nodes.exact),
@@ -366,9 +413,10 @@ NodeFile read(const JsonValue& document) {
          .problem = "is not unisolvent: " + functions.reason().to_text(),
          .allowed = "nodes that determine every polynomial of degree " + std::to_string(degree)});
   if (nodes.exact) nodes.exact->space = monomials(degree);
+  std::optional<SymmetricCertificate> certificate = read_certificate(root, *functions, {});
   return {.functions = *std::move(functions),
           .algebraic = std::move(nodes.exact),
-          .certificate = read_certificate(root, degree, nodes.near, {}),
+          .certificate = std::move(certificate),
           .space = {},
           .digest = {}};
 }
@@ -423,6 +471,23 @@ JsonValue nodes_json(std::span<const std::string> space, std::span<const Barycen
   out.set("schema", schema);
   out.set("space", json_array(space));
   out.set("nodes", node_list(nodes));
+  return out;
+}
+
+JsonValue nodes_json(const FreeNodes& set, const Rational& radius) {
+  JsonValue out = nodes_json(set.degree, set.points());
+  JsonValue certificate = JsonValue::object();
+  certificate.set("method", "krawczyk");
+  certificate.set("precision", set.triangle);
+  certificate.set("parallelogram", set.parallelogram);
+  certificate.set("radius", exact_text(radius));
+  certificate.set("held", json_array(set.nodes, [](const FreeNode& node) {
+                    std::vector<std::string> held;
+                    if (node.holds_t) held.emplace_back("x2");
+                    if (node.holds_s) held.emplace_back("x3");
+                    return json_array(held);
+                  }));
+  out.set("certificate", std::move(certificate));
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include "radcert/formats/json/json_value.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/nodes/algebraic_nodes.h"
+#include "radcert/polynomial/nodes/free_nodes.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
 #include "radcert/study/triangle_basis_choice.h"
 
@@ -55,7 +56,7 @@ struct NodeFile {
 [[nodiscard]] NodeFile parse_nodes(std::string_view text, const std::string& source);
 
 /// Such nodes as the basis of a problem, which names them so.
-/// Result    InputError, with the name, for functions of a degree above 8
+/// Result    InputError, with the name, for functions of a degree above largest_basis_degree
 [[nodiscard]] TriangleBasisChoice node_file_basis(NodeFile nodes, const std::string& name);
 
 /// Nodes as such a file.
@@ -71,6 +72,9 @@ struct NodeFile {
 
 /// The same for a symmetric set, with the certificate that reading it proves again.
 [[nodiscard]] JsonValue nodes_json(const SymmetricNodes& set, const Rational& radius);
+
+/// The same for nodes without symmetry, whose weights the file leaves to the interpolatory rule.
+[[nodiscard]] JsonValue nodes_json(const FreeNodes& set, const Rational& radius);
 
 /// An exact number as text: "0.125" where its decimals end, "1/3" elsewhere.
 [[nodiscard]] std::string exact_text(const Rational& value);

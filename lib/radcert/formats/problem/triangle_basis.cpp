@@ -8,6 +8,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/formats/problem/node_file.h"
 #include "radcert/formats/problem/problem_parts.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
 #include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/scalar/real.h"
@@ -16,7 +17,7 @@ namespace radcert {
 
 namespace {
 
-constexpr int largest_degree = 8;
+std::string degrees_allowed() { return "from 0 to " + std::to_string(largest_basis_degree); }
 constexpr const char* alpha_allowed =
     "a decimal or fraction in a string, or a number, in [0, 1/3); superconvergent at degrees 1 and 3; "
     "at degree 0 it may be left out";
@@ -47,8 +48,9 @@ TriangleBasisChoice read_file(const JsonReader& basis, const JsonReader& file,
   NodeFile nodes = read_nodes(path);
   require_digest(basis, nodes.digest);
   const int degree = nodes.functions.degree();
-  if (degree > largest_degree)
-    file.refuse("has functions of degree " + std::to_string(degree), "functions of degree 0 to 8");
+  if (degree > largest_basis_degree)
+    file.refuse("has functions of degree " + std::to_string(degree),
+                "functions of a degree " + degrees_allowed());
   return node_file_basis(std::move(nodes), name);
 }
 
@@ -68,9 +70,9 @@ TriangleBasisChoice read_symmetric(const JsonReader& basis) {
 TriangleBasisChoice read_inset(const JsonReader& basis) {
   basis.require_object({"family", "degree", "alpha"});
   TriangleBasisChoice choice;
-  const std::string degree_allowed = "a whole number from 0 to 8";
+  const std::string degree_allowed = "a whole number " + degrees_allowed();
   choice.degree =
-      static_cast<int>(basis.at("degree", degree_allowed).whole(0, largest_degree, degree_allowed));
+      static_cast<int>(basis.at("degree", degree_allowed).whole(0, largest_basis_degree, degree_allowed));
   if (const auto alpha = basis.find("alpha"))
     read_alpha(*alpha, choice);
   else if (choice.degree > 0)
@@ -88,10 +90,10 @@ TriangleBasisChoice node_file_basis(NodeFile nodes, const std::string& name) {
   choice.file = name;
   choice.digest = std::move(nodes.digest);
   choice.degree = nodes.functions.degree();
-  if (choice.degree > largest_degree)
+  if (choice.degree > largest_basis_degree)
     throw InputError({.source = name,
                       .problem = "has functions of degree " + std::to_string(choice.degree),
-                      .allowed = "functions of degree 0 to 8"});
+                      .allowed = "functions of a degree " + degrees_allowed()});
   choice.functions = std::make_shared<const LagrangeFunctions>(std::move(nodes.functions));
   return choice;
 }

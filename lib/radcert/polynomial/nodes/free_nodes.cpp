@@ -108,6 +108,12 @@ TriangleRule<Ball> rule_of(const Box& box) {
 
 }  // namespace
 
+std::vector<Barycentric<Rational>> FreeNodes::points() const {
+  std::vector<Barycentric<Rational>> out;
+  for (const FreeNode& node : nodes) out.push_back({{Rational(1) - node.s - node.t, node.t, node.s}});
+  return out;
+}
+
 int free_equations(int triangle, int parallelogram) {
   expects(triangle >= 0, "triangle >= 0", named("triangle", triangle));
   int count = (triangle + 1) * (triangle + 2) / 2;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "radcert/core/outcome.h"
+#include "radcert/polynomial/barycentric.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
 
 namespace radcert {
@@ -23,11 +24,13 @@ struct FreeNode {
 /// Maths     the rule is exact for all polynomials of degree `triangle`, and on the parallelogram up to the
 ///           even degree `parallelogram`, and so up to the next odd one: polynomials that are odd about its
 ///           centre cost nothing
+/// Result    points(): the nodes in their order, with the exact sum 1
 struct FreeNodes {
   int degree = 0;  ///< of the functions
   int triangle = 0;
   int parallelogram = 0;
   std::vector<FreeNode> nodes;
+  [[nodiscard]] std::vector<Barycentric<Rational>> points() const;
 };
 
 /// How many equations that are: (d + 1)(d + 2)/2 for d = triangle, and k + 1 for each even k beyond, up to

@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
+#include "radcert/polynomial/nodes/damped_least_squares.h"
 #include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/polynomial/nodes/lattice_norm.h"
 #include "radcert/polynomial/nodes/random_starts.h"
 #include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/dual.h"
@@ -30,27 +32,23 @@ using Vector = Eigen::VectorXd;
 using EigenMatrix = Eigen::MatrixXd;
 
 struct Candidate {
-  Vector x;  ///< the weights of means, then s, then t
+  std::vector<double> x;  ///< the weights of means, then s, then t
   double norm = std::numeric_limits<double>::infinity();
 };
 
-/// A uniform number in (0, 1), the same on every machine.
-double uniform(std::mt19937_64& random) { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; }
-
 class Search {
 public:
-  explicit Search(const FreeGoal& goal)
-      : goal_(goal), count_(static_cast<Eigen::Index>(polynomial_dimension(goal.degree))) {
+  explicit Search(const FreeGoal& goal) : goal_(goal), count_(polynomial_dimension(goal.degree)) {
     for (const auto& [i, j, k] : lattice_indices(lattice))
       lattice_.push_back({{1.0 * i / lattice, 1.0 * j / lattice, 1.0 * k / lattice}});
   }
 
   [[nodiscard]] std::optional<Candidate> from_start(std::uint64_t seed) const {
     std::mt19937_64 random(seed);
-    Candidate start{.x = Vector::Constant(3 * count_, 1.0 / static_cast<double>(count_))};
-    for (Eigen::Index j = 0; j < count_; ++j) {
+    Candidate start{.x = std::vector<double>(3 * count_, 1.0 / static_cast<double>(count_))};
+    for (std::size_t j = 0; j < count_; ++j) {
       // The lengths of the parts of (0, 1) at two random points are uniform on the triangle.
-      const auto [low, high] = std::minmax({uniform(random), uniform(random)});
+      const auto [low, high] = std::minmax({uniform_number(random), uniform_number(random)});
       start.x[count_ + j] = low;
       start.x[2 * count_ + j] = high - low;
     }
@@ -63,7 +61,7 @@ public:
     double size = 0.02;
     for (int k = 0; k < steps && size > 1e-6; ++k) {
       Candidate next = best;
-      for (Eigen::Index i = count_; i < 3 * count_; ++i) next.x[i] += size * (2 * uniform(random) - 1);
+      for (std::size_t i = count_; i < 3 * count_; ++i) next.x[i] += size * (2 * uniform_number(random) - 1);
       std::optional<Candidate> found = solution(std::move(next));
       const bool is_better = found && found->norm < best.norm;
       size *= is_better ? 1.5 : 0.92;
@@ -79,18 +77,17 @@ public:
                     .triangle = goal_.triangle,
                     .parallelogram = goal_.parallelogram,
                     .nodes = {}};
-    for (Eigen::Index j = 0; j < count_; ++j) {
-      const auto number = [&](Eigen::Index i) {
+    for (std::size_t j = 0; j < count_; ++j) {
+      const auto number = [&](std::size_t i) {
         const double value = candidate.x[i];
-        return held[static_cast<std::size_t>(i)] ? Rational::exactly(std::round(value * 1e6)) / 1'000'000
-                                                 : Rational::exactly(value);
+        return held[i] ? Rational::exactly(std::round(value * 1e6)) / 1'000'000 : Rational::exactly(value);
       };
       nodes.nodes.push_back({.s = number(count_ + j),
                              .t = number(2 * count_ + j),
                              // Of a rule for integrals, not means: the triangle has the area 1/2.
                              .weight = number(j) / 2,
-                             .holds_s = held[static_cast<std::size_t>(count_ + j)],
-                             .holds_t = held[static_cast<std::size_t>(2 * count_ + j)]});
+                             .holds_s = held[count_ + j],
+                             .holds_t = held[2 * count_ + j]});
     }
     return sharpened(nodes);
   }
@@ -98,23 +95,22 @@ public:
 private:
   /// What is missed, and its derivatives: means of the orthonormal polynomials, which are 0 but for the
   /// first, and of the even ones about the middle of the side x_1 = 0 beyond.
-  void evaluate(const Vector& x, Vector& missed, EigenMatrix& derivatives) const {
+  [[nodiscard]] FunctionsThere evaluate(const std::vector<double>& x) const {
     const std::size_t modes_used = mode_count(goal_.triangle);
-    const auto rows = static_cast<Eigen::Index>(free_equations(goal_.triangle, goal_.parallelogram));
-    missed.setZero(rows);
-    derivatives.setZero(rows, 3 * count_);
+    const auto rows = static_cast<std::size_t>(free_equations(goal_.triangle, goal_.parallelogram));
+    FunctionsThere out{.values = std::vector<double>(rows), .derivatives = Matrix<double>(rows, 3 * count_)};
     std::vector<Dual<double>> modes(modes_used);
-    for (Eigen::Index j = 0; j < count_; ++j) {
+    for (std::size_t j = 0; j < count_; ++j) {
       const double weight = x[j];
       const Dual<double> s(x[count_ + j], 1.0, 0.0);
       const Dual<double> t(x[2 * count_ + j], 0.0, 1.0);
       triangle_modes<Dual<double>>(goal_.triangle, {{Dual<double>(1.0) - s - t, t, s}}, modes);
-      Eigen::Index row = 0;
+      std::size_t row = 0;
       const auto add = [&](const Dual<double>& value) {
-        missed[row] += weight * value.value;
-        derivatives(row, j) = value.value;
-        derivatives(row, count_ + j) = weight * value.by_s;
-        derivatives(row, 2 * count_ + j) = weight * value.by_t;
+        out.values[row] += weight * value.value;
+        out.derivatives(row, j) = value.value;
+        out.derivatives(row, count_ + j) = weight * value.by_s;
+        out.derivatives(row, 2 * count_ + j) = weight * value.by_t;
         ++row;
       };
       for (const Dual<double>& mode : modes) add(mode);
@@ -123,88 +119,46 @@ private:
       for (int k = goal_.triangle + 1; k <= goal_.parallelogram; ++k)
         for (int i = 0; k % 2 == 0 && i <= k; ++i) add(power(u, k - i) * power(v, i));
     }
-    missed[0] -= 1;
-    Eigen::Index row = static_cast<Eigen::Index>(modes_used);
+    out.values[0] -= 1;
+    std::size_t row = modes_used;
     for (int k = goal_.triangle + 1; k <= goal_.parallelogram; ++k)
       for (int i = 0; k % 2 == 0 && i <= k; ++i)
         // Half of the mean over the square [-1, 1]^2 is that over either triangle.
-        missed[row++] -= i % 2 == 0 ? 1.0 / ((k - i + 1) * (i + 1)) : 0.0;
+        out.values[row++] -= i % 2 == 0 ? 1.0 / ((k - i + 1) * (i + 1)) : 0.0;
+    return out;
   }
 
-  /// Levenberg's and Marquardt's iteration; a solution with nodes inside, with its norm.
+  /// A solution with nodes inside, with its norm.
   [[nodiscard]] std::optional<Candidate> solution(Candidate at) const {
-    Vector missed;
-    EigenMatrix derivatives;
-    evaluate(at.x, missed, derivatives);
-    double square = missed.squaredNorm();
-    double damping = 1e-2;
-    const Eigen::Index unknowns = derivatives.cols();
-    for (int k = 0; k < most_iterations && square > solved; ++k) {
-      bool descends = false;
-      for (int trial = 0; trial < 8 && !descends; ++trial) {
-        EigenMatrix system(derivatives.rows() + unknowns, unknowns);
-        system << derivatives, std::sqrt(damping) * EigenMatrix::Identity(unknowns, unknowns);
-        Vector right = Vector::Zero(system.rows());
-        right.head(missed.size()) = -missed;
-        const Vector next = at.x + system.householderQr().solve(right);
-        Vector missed_there;
-        EigenMatrix derivatives_there;
-        evaluate(next, missed_there, derivatives_there);
-        const double square_there = missed_there.squaredNorm();
-        descends = square_there < square;
-        if (descends) {
-          at.x = next;
-          square = square_there;
-          missed = std::move(missed_there);
-          derivatives = std::move(derivatives_there);
-        } else {
-          damping *= 4;
-        }
-      }
-      if (!descends) break;
-      damping = std::max(damping / 5, 1e-14);
-    }
-    if (!(square <= solved)) return std::nullopt;
+    const auto functions = [this](const std::vector<double>& x) { return evaluate(x); };
+    if (!damped_least_squares(at.x, functions, solved, most_iterations)) return std::nullopt;
     std::vector<Barycentric<double>> points;
-    for (Eigen::Index j = 0; j < count_; ++j) {
+    for (std::size_t j = 0; j < count_; ++j) {
       const double s = at.x[count_ + j];
       const double t = at.x[2 * count_ + j];
       points.push_back({{1 - s - t, t, s}});
       if (std::min({1 - s - t, t, s}) < least_distance) return std::nullopt;
     }
-    at.norm = norm(points);
+    at.norm = norm_at(lattice_, goal_.degree, points);
     if (!std::isfinite(at.norm)) return std::nullopt;
     return at;
-  }
-
-  [[nodiscard]] double norm(const std::vector<Barycentric<double>>& points) const {
-    std::vector<double> modes(mode_count(goal_.degree));
-    const auto values = [&](const Barycentric<double>& x) {
-      triangle_modes<double>(goal_.degree, x, modes);
-      return Eigen::Map<const Vector>(modes.data(), count_);
-    };
-    EigenMatrix at_nodes(count_, count_);
-    for (Eigen::Index j = 0; j < count_; ++j) at_nodes.col(j) = values(points[static_cast<std::size_t>(j)]);
-    EigenMatrix on_lattice(count_, static_cast<Eigen::Index>(lattice_.size()));
-    for (std::size_t k = 0; k < lattice_.size(); ++k)
-      on_lattice.col(static_cast<Eigen::Index>(k)) = values(lattice_[k]);
-    return EigenMatrix(at_nodes.partialPivLu().solve(on_lattice)).cwiseAbs().colwise().sum().maxCoeff();
   }
 
   /// For each number whether it is held: coordinates alone, one after the other, so that what remains is
   /// determined as well as can be.
   [[nodiscard]] std::vector<bool> numbers_to_hold(const Candidate& at) const {
-    Vector missed;
-    EigenMatrix derivatives;
-    evaluate(at.x, missed, derivatives);
-    std::vector<bool> held(static_cast<std::size_t>(3 * count_), false);
+    const FunctionsThere there = evaluate(at.x);
+    const Eigen::Map<const EigenMatrix> derivatives(there.derivatives.column(0).data(),
+                                                    static_cast<Eigen::Index>(there.derivatives.rows()),
+                                                    static_cast<Eigen::Index>(there.derivatives.columns()));
+    std::vector<bool> held(3 * count_, false);
     std::vector<Eigen::Index> columns;
     for (Eigen::Index k = 0; k < derivatives.cols(); ++k) columns.push_back(k);
     while (static_cast<Eigen::Index>(columns.size()) > derivatives.rows()) {
       double best = -1;
       std::size_t chosen = 0;
       for (std::size_t place = 0; place < columns.size(); ++place) {
-        if (columns[place] < count_) continue;
+        if (columns[place] < static_cast<Eigen::Index>(count_)) continue;
         std::vector<Eigen::Index> rest = columns;
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(place));
         const Vector singular = Eigen::JacobiSVD<EigenMatrix>(derivatives(Eigen::all, rest)).singularValues();
@@ -221,7 +175,7 @@ private:
   }
 
   FreeGoal goal_;
-  Eigen::Index count_;
+  std::size_t count_;
   std::vector<Barycentric<double>> lattice_;
 };
 

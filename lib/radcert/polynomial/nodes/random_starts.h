@@ -5,12 +5,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <random>
 #include <utility>
 #include <vector>
 
 #include "radcert/core/parallel.h"
 
 namespace radcert {
+
+/// A uniform number in (0, 1), the same on every machine.
+inline double uniform_number(std::mt19937_64& random) {
+  return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
+}
 
 /// A search from random starts for candidates of the least norm, of which the `kept` best are improved at
 /// last.

@@ -15,7 +15,9 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/basis_facts.h"
+#include "radcert/polynomial/nodes/damped_least_squares.h"
 #include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/polynomial/nodes/lattice_norm.h"
 #include "radcert/polynomial/nodes/orbit_structure.h"
 #include "radcert/polynomial/nodes/random_starts.h"
 #include "radcert/polynomial/nodes/symmetric_system.h"
@@ -38,18 +40,13 @@ constexpr int digits = 62;
 constexpr int digits_of_free_nodes = 12;
 
 using Vector = Eigen::VectorXd;
-using Matrix = Eigen::MatrixXd;
+using EigenMatrix = Eigen::MatrixXd;
 
-/// Orbits in double: one weight an orbit, a for each of three, a and b for each of six.
+/// Orbits in double.
 struct Candidate {
-  Vector weights;
-  Vector coordinates;
-  double missed = std::numeric_limits<double>::infinity();  ///< the sum of squares
+  std::vector<double> x;  ///< one weight an orbit, then a for each of three, a and b for each of six
   double norm = std::numeric_limits<double>::infinity();
 };
-
-/// A uniform number in (0, 1), the same on every machine.
-double uniform(std::mt19937_64& random) { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; }
 
 class Search {
 public:
@@ -66,14 +63,13 @@ public:
   [[nodiscard]] std::optional<Candidate> from_start(std::uint64_t seed) const {
     std::mt19937_64 random(seed);
     Candidate start;
-    start.weights = Vector::Constant(structure_.orbits(), 1.0 / node_count());
-    start.coordinates.resize(structure_.coordinates());
-    for (int k = 0; k < structure_.threes; ++k) start.coordinates[k] = 0.5 * uniform(random);
-    for (int k = structure_.threes; k < structure_.coordinates(); k += 2) {
+    start.x.assign(sizes_.size(), 1.0 / node_count());
+    for (int k = 0; k < structure_.threes; ++k) start.x.push_back(0.5 * uniform_number(random));
+    for (int k = 0; k < structure_.sixes; ++k) {
       // The lengths of the parts of (0, 1) at two random points are uniform on the triangle.
-      const auto [low, high] = std::minmax({uniform(random), uniform(random)});
-      start.coordinates[k] = low;
-      start.coordinates[k + 1] = high - low;
+      const auto [low, high] = std::minmax({uniform_number(random), uniform_number(random)});
+      start.x.push_back(low);
+      start.x.push_back(high - low);
     }
     return solution(std::move(start));
   }
@@ -85,7 +81,8 @@ public:
     double size = 0.02;
     for (int k = 0; k < steps && size > 1e-6; ++k) {
       Candidate next = best;
-      for (double& x : next.coordinates) x += size * (2 * uniform(random) - 1);
+      for (std::size_t i = sizes_.size(); i < next.x.size(); ++i)
+        next.x[i] += size * (2 * uniform_number(random) - 1);
       std::optional<Candidate> found = solution(std::move(next));
       const bool is_better = found && found->norm < best.norm;
       size *= is_better ? 1.5 : 0.92;
@@ -100,16 +97,16 @@ public:
     const std::vector<bool> held = numbers_to_hold(candidate);
     SymmetricBox box;
     const BallPrecision scope(bits);
-    Eigen::Index place = 0;
+    std::size_t place = sizes_.size();
     for (std::size_t k = 0; k < sizes_.size(); ++k) {
       OrbitBox orbit{.size = sizes_[k],
                      .is_held = held[k],
                      // Of a rule for integrals, not means: the triangle has the area 1/2.
-                     .weight = Ball(candidate.weights[static_cast<Eigen::Index>(k)] / 2),
+                     .weight = Ball(candidate.x[k] / 2),
                      .a = Ball(0),
                      .b = Ball(0)};
-      if (sizes_[k] >= 3) orbit.a = Ball(candidate.coordinates[place++]);
-      if (sizes_[k] == 6) orbit.b = Ball(candidate.coordinates[place++]);
+      if (sizes_[k] >= 3) orbit.a = Ball(candidate.x[place++]);
+      if (sizes_[k] == 6) orbit.b = Ball(candidate.x[place++]);
       if (held[k]) orbit.a = Ball(Rational::exactly(std::round(orbit.a.to_double() * 1e6)) / 1'000'000);
       box.push_back(orbit);
     }
@@ -127,7 +124,7 @@ public:
     std::vector<Barycentric<double>> nodes;
     for (const Barycentric<Rational>& q : symmetric.nodes())
       nodes.push_back({{q.x[0].to_double(), q.x[1].to_double(), q.x[2].to_double()}});
-    return norm(nodes);
+    return norm_at(lattice_, goal_.degree, nodes);
   }
 
 private:
@@ -138,14 +135,14 @@ private:
   }
 
   /// The nodes, with their derivatives by the coordinates of their orbits.
-  [[nodiscard]] std::vector<Node> nodes(const Vector& coordinates) const {
+  [[nodiscard]] std::vector<Node> nodes(const std::vector<double>& x_of_orbits) const {
     std::vector<Node> out;
-    Eigen::Index place = 0;
+    std::size_t place = sizes_.size();
     for (const int size : sizes_) {
       Dual<double> a(1.0 / 3, 0.0, 0.0);
       Dual<double> b = a;
-      if (size >= 3) a = b = Dual<double>(coordinates[place++], 1.0, 0.0);
-      if (size == 6) b = Dual<double>(coordinates[place++], 0.0, 1.0);
+      if (size >= 3) a = b = Dual<double>(x_of_orbits[place++], 1.0, 0.0);
+      if (size == 6) b = Dual<double>(x_of_orbits[place++], 0.0, 1.0);
       const std::array<Dual<double>, 3> x = size == 6 ? std::array{a, b, Dual<double>(1.0) - a - b}
                                                       : std::array{Dual<double>(1.0) - a - b, a, b};
       for (const auto& p : symmetric_places(size)) out.push_back({{x[p[0]], x[p[1]], x[p[2]]}});
@@ -155,106 +152,60 @@ private:
 
   /// What is missed, and its derivatives by weights and coordinates. Polynomials that change their sign when
   /// x_1 and x_2 are exchanged are integrated exactly by every symmetric rule, and left out.
-  void evaluate(const Candidate& at, Vector& missed, Matrix& derivatives) const {
+  [[nodiscard]] FunctionsThere evaluate(const std::vector<double>& x) const {
     const int precision = goal_.precision;
     std::vector<std::size_t> rows;
     for (int m = 0; m <= precision; ++m)
       for (int i = 0; i <= m; i += 2) rows.push_back(static_cast<std::size_t>(m * (m + 1) / 2 + i));
-    const auto count = static_cast<Eigen::Index>(rows.size());
-    derivatives.setZero(count, structure_.orbits() + structure_.coordinates());
-    missed.setZero(count);
-    missed[0] = -1;
+    FunctionsThere out{.values = std::vector<double>(rows.size()),
+                       .derivatives = Matrix<double>(rows.size(), x.size())};
+    out.values[0] = -1;
     std::vector<Dual<double>> modes(mode_count(precision));
-    const std::vector<Node> all = nodes(at.coordinates);
+    const std::vector<Node> all = nodes(x);
     std::size_t node = 0;
-    Eigen::Index place = structure_.orbits();
-    for (std::size_t k = 0; k < sizes_.size(); ++k) {
-      const auto orbit = static_cast<Eigen::Index>(k);
-      const double weight = at.weights[orbit];
-      for (int i = 0; i < sizes_[k]; ++i) {
+    std::size_t place = sizes_.size();
+    for (std::size_t orbit = 0; orbit < sizes_.size(); ++orbit) {
+      for (int i = 0; i < sizes_[orbit]; ++i) {
         triangle_modes<Dual<double>>(precision, all[node++], modes);
-        for (Eigen::Index row = 0; row < count; ++row) {
-          const Dual<double>& mode = modes[rows[static_cast<std::size_t>(row)]];
-          missed[row] += weight * mode.value;
-          derivatives(row, orbit) += mode.value;
-          if (sizes_[k] >= 3) derivatives(row, place) += weight * mode.by_s;
-          if (sizes_[k] == 6) derivatives(row, place + 1) += weight * mode.by_t;
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+          const Dual<double>& mode = modes[rows[row]];
+          out.values[row] += x[orbit] * mode.value;
+          out.derivatives(row, orbit) += mode.value;
+          if (sizes_[orbit] >= 3) out.derivatives(row, place) += x[orbit] * mode.by_s;
+          if (sizes_[orbit] == 6) out.derivatives(row, place + 1) += x[orbit] * mode.by_t;
         }
       }
-      place += sizes_[k] == 1 ? 0 : sizes_[k] == 3 ? 1 : 2;
+      place += sizes_[orbit] == 1 ? 0 : sizes_[orbit] == 3 ? 1 : 2;
     }
+    return out;
   }
 
-  /// Levenberg's and Marquardt's iteration; a solution as the goal wants it, with its norm.
+  /// A solution as the goal wants it, with its norm.
   [[nodiscard]] std::optional<Candidate> solution(Candidate at) const {
-    Vector missed;
-    Matrix derivatives;
-    evaluate(at, missed, derivatives);
-    at.missed = missed.squaredNorm();
-    double damping = 1e-2;
-    const Eigen::Index unknowns = derivatives.cols();
-    for (int k = 0; k < most_iterations && at.missed > solved; ++k) {
-      bool descends = false;
-      for (int trial = 0; trial < 8 && !descends; ++trial) {
-        Matrix system(derivatives.rows() + unknowns, unknowns);
-        system << derivatives, std::sqrt(damping) * Matrix::Identity(unknowns, unknowns);
-        Vector right = Vector::Zero(system.rows());
-        right.head(missed.size()) = -missed;
-        const Vector step = system.householderQr().solve(right);
-        Candidate next = at;
-        next.weights += step.head(structure_.orbits());
-        next.coordinates += step.tail(structure_.coordinates());
-        Vector missed_there;
-        Matrix derivatives_there;
-        evaluate(next, missed_there, derivatives_there);
-        next.missed = missed_there.squaredNorm();
-        descends = next.missed < at.missed;
-        if (descends) {
-          at = std::move(next);
-          missed = std::move(missed_there);
-          derivatives = std::move(derivatives_there);
-        } else {
-          damping *= 4;
-        }
-      }
-      if (!descends) break;
-      damping = std::max(damping / 5, 1e-14);
-    }
-    if (!(at.missed <= solved)) return std::nullopt;
-    if (goal_.positive && at.weights.minCoeff() < least_weight / node_count()) return std::nullopt;
+    const auto functions = [this](const std::vector<double>& x) { return evaluate(x); };
+    if (!damped_least_squares(at.x, functions, solved, most_iterations)) return std::nullopt;
+    const auto weights_end = at.x.begin() + static_cast<std::ptrdiff_t>(sizes_.size());
+    if (goal_.positive && *std::min_element(at.x.begin(), weights_end) < least_weight / node_count())
+      return std::nullopt;
     std::vector<Barycentric<double>> points;
-    for (const Node& node : nodes(at.coordinates)) {
+    for (const Node& node : nodes(at.x)) {
       points.push_back({{node.x[0].value, node.x[1].value, node.x[2].value}});
       if (*std::min_element(points.back().x.begin(), points.back().x.end()) < least_distance)
         return std::nullopt;
     }
-    at.norm = norm(points);
+    at.norm = norm_at(lattice_, goal_.degree, points);
     if (!std::isfinite(at.norm)) return std::nullopt;
     return at;
-  }
-
-  [[nodiscard]] double norm(const std::vector<Barycentric<double>>& points) const {
-    const auto count = static_cast<Eigen::Index>(points.size());
-    std::vector<double> modes(mode_count(goal_.degree));
-    const auto values = [&](const Barycentric<double>& x) {
-      triangle_modes<double>(goal_.degree, x, modes);
-      return Eigen::Map<const Vector>(modes.data(), count);
-    };
-    Matrix at_nodes(count, count);
-    for (Eigen::Index j = 0; j < count; ++j) at_nodes.col(j) = values(points[static_cast<std::size_t>(j)]);
-    Matrix on_lattice(count, static_cast<Eigen::Index>(lattice_.size()));
-    for (std::size_t k = 0; k < lattice_.size(); ++k)
-      on_lattice.col(static_cast<Eigen::Index>(k)) = values(lattice_[k]);
-    return Matrix(at_nodes.partialPivLu().solve(on_lattice)).cwiseAbs().colwise().sum().maxCoeff();
   }
 
   /// For each orbit whether its a is held: what remains is to determine the others as well as can be.
   [[nodiscard]] std::vector<bool> numbers_to_hold(const Candidate& at) const {
     std::vector<bool> held(sizes_.size(), false);
     if (goal_.precision == goal_.degree) return held;
-    Vector missed;
-    Matrix derivatives;
-    evaluate(at, missed, derivatives);
+    const FunctionsThere there = evaluate(at.x);
+    const Eigen::Map<const EigenMatrix> derivatives(there.derivatives.column(0).data(),
+                                                    static_cast<Eigen::Index>(there.derivatives.rows()),
+                                                    static_cast<Eigen::Index>(there.derivatives.columns()));
     std::vector<Eigen::Index> columns;
     for (Eigen::Index k = 0; k < derivatives.cols(); ++k) columns.push_back(k);
     const auto equations = static_cast<std::size_t>(invariant_count(goal_.precision));
@@ -267,7 +218,8 @@ private:
         if (!held[k]) {
           std::vector<Eigen::Index> rest = columns;
           rest.erase(std::find(rest.begin(), rest.end(), place));
-          const Vector singular = Eigen::JacobiSVD<Matrix>(derivatives(Eigen::all, rest)).singularValues();
+          const Vector singular =
+              Eigen::JacobiSVD<EigenMatrix>(derivatives(Eigen::all, rest)).singularValues();
           const double least =
               singular[std::min<Eigen::Index>(singular.size(), static_cast<Eigen::Index>(equations)) - 1];
           if (least > best) {

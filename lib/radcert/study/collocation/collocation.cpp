@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <string>
 
+#include "radcert/closed_form/plane_element.h"
 #include "radcert/core/checked.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/levels_within_memory.h"
@@ -41,11 +43,17 @@ Rational least_coordinate(const LagrangeFunctions& functions) {
   return least;
 }
 
-void check_degree(const TriangleBasisChoice& basis) {
-  constexpr int largest = InsetBasis<double>::largest_degree;
-  if (basis.degree < 0 || basis.degree > largest)
+void check_degree(const Problem& problem, const TriangleBasisChoice& basis) {
+  const LinearSolver* solver = find_linear_solver(problem.solver.name);
+  if (solver != nullptr && solver->proves() && basis.degree > PlaneElement::largest_degree)
+    refuse_input(
+        "/basis/degree", std::to_string(basis.degree),
+        "is not for the solver " + problem.solver.name +
+            ": the closed forms and rules that prove entries stop below",
+        "a degree up to " + std::to_string(PlaneElement::largest_degree) + ", or a solver that estimates");
+  if (basis.degree < 0 || basis.degree > largest_basis_degree)
     refuse_input("/basis/degree", std::to_string(basis.degree), "is not allowed",
-                 "a whole number from 0 to " + std::to_string(largest));
+                 "a whole number from 0 to " + std::to_string(largest_basis_degree));
 }
 
 void check_nodes(const Problem& problem, const TriangleBasisChoice& basis, const Surface& surface) {
@@ -89,7 +97,7 @@ void check(const Problem& problem, const Collocation& method, const Surface& sur
   if (problem.iterated && problem.geometry)
     refuse_input("/iterated", "true", "is not for an interpolated geometry", "\"geometry\": \"exact\"");
   // A plan is made for a basis that there is, and inset nodes are looked at on levels that there are.
-  check_degree(method.basis);
+  check_degree(problem, method.basis);
   check_levels(problem, surface, memory_limit, [&](int, std::uint64_t triangles) {
     return LevelSize{.count = triangles, .counted = "triangles", .memory = level_plan(problem, triangles)};
   });

@@ -22,8 +22,9 @@ struct Collocation {
 };
 
 /// Refuses what collocation does not allow in a problem; see check(problem).
-/// Maths     0 <= degree <= 8; 0 <= alpha < 1/3, and alpha > 0 where pieces or interpolated elements meet at
-///           an angle; interpolants of degree 1 to 6; a plan within `memory_limit` bytes at every level
+/// Maths     0 <= degree <= 10, 8 with a solver that proves; 0 <= alpha < 1/3, and alpha > 0 where pieces or
+///           interpolated elements meet at an angle; interpolants of degree 1 to 6; a plan within
+///           `memory_limit` bytes at every level
 void check(const Problem& problem, const Collocation& method, const Surface& surface,
            std::uint64_t memory_limit);
 

@@ -10,6 +10,7 @@
 
 #include "radcert/collocation/nodal_integral.h"
 #include "radcert/core/contract.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/operator_at_nodes.h"
@@ -104,10 +105,10 @@ void describe_means(const NodedSurface& level, std::span<const IteratedValue> va
 
 /// The polynomial of degree 2 through the values at the check points, at the corners.
 /// Result    of each corner the factors of the six values
-std::array<std::array<double, 45>, 3> parabola_at_corners() {
+std::array<std::array<double, most_basis_functions>, 3> parabola_at_corners() {
   const std::vector<Barycentric<Rational>> six = check_points();
   const TriangleBasis<double> parabola = make_triangle_basis<double>(lagrange_functions(six).value());
-  std::array<std::array<double, 45>, 3> out{};
+  std::array<std::array<double, most_basis_functions>, 3> out{};
   for (std::size_t c = 0; c < 3; ++c) {
     Barycentric<double> corner{{0, 0, 0}};
     corner.x[c] = 1;
@@ -120,7 +121,7 @@ std::array<std::array<double, 45>, 3> parabola_at_corners() {
 void draw(const IteratedSolution& iterated, const NodedSurface& level,
           std::span<const double> at_check_points, std::vector<ElementValue>& elements) {
   constexpr std::size_t points_an_element = 6;
-  const std::array<std::array<double, 45>, 3> parabola = parabola_at_corners();
+  const std::array<std::array<double, most_basis_functions>, 3> parabola = parabola_at_corners();
   std::map<std::tuple<std::size_t, double, double>, std::size_t> number;
   std::vector<CollocationPoint<double>> corners;
   for (const ParameterTriangle& triangle : level.triangulation.triangles)
@@ -230,7 +231,7 @@ Approximation value_in_element(const TriangleBasis<double>& basis, std::span<con
                                double largest, const Barycentric<double>& x) {
   // A few roundings a term, and the coordinates' own.
   constexpr double roundings = 0x1p-46;
-  std::array<double, 45> functions{};
+  std::array<double, most_basis_functions> functions{};
   basis.values(x, functions);
   double value = 0;
   double size = 0;

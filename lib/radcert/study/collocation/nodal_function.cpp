@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/study/errors/piece_sums.h"
 
@@ -16,8 +17,8 @@ constexpr int finer_mean_order = 16;
 /// Area, and Int l_j of every function over an element.
 struct Moments {
   double area = 0;
-  std::array<double, 45> functions{};
-  std::array<double, 45> sizes{};  ///< Int |l_j|
+  std::array<double, most_basis_functions> functions{};
+  std::array<double, most_basis_functions> sizes{};  ///< Int |l_j|
 };
 
 Moments moments(const NodalFunction& u_n, std::size_t k, const TriangleRule<double>& rule) {
@@ -26,7 +27,7 @@ Moments moments(const NodalFunction& u_n, std::size_t k, const TriangleRule<doub
   const double parallelogram = cross(v[1] - v[0], v[2] - v[0]);
   const ChartIn<double>& chart = u_n.surface().charts[triangle.chart].in<double>();
   Moments found;
-  std::array<double, 45> values{};
+  std::array<double, most_basis_functions> values{};
   for (std::size_t q = 0; q < rule.weights.size(); ++q) {
     const double weight =
         rule.weights[q] * parallelogram * area_element(chart.frame(triangle.at(rule.points[q].x)));
@@ -43,7 +44,7 @@ Moments moments(const NodalFunction& u_n, std::size_t k, const TriangleRule<doub
 }  // namespace
 
 double NodalFunction::at(std::size_t element, const Barycentric<double>& x) const {
-  std::array<double, 45> functions;
+  std::array<double, most_basis_functions> functions;
   basis_.values(x, functions);
   double sum = 0;
   for (std::size_t j = 0; j < basis_.size(); ++j) sum += functions[j] * values_[element * basis_.size() + j];

@@ -10,6 +10,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/galerkin/galerkin_matrix.h"
+#include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/enclosing_text.h"
@@ -222,7 +223,7 @@ private:
   void accumulate(const LoadPoint& at, double f, std::vector<double>& out) const {
     const std::size_t p = functions_->functions();
     out.resize(functions_->elements() * p);
-    std::array<double, 45> l{};
+    std::array<double, most_basis_functions> l{};
     basis_.values(at.x, std::span<double>(l).first(p));
     const Matrix<double>& psi = functions_->coefficients(at.element);
     for (std::size_t a = 0; a < p; ++a) {
