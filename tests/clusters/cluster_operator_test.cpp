@@ -124,7 +124,8 @@ void expect_agreement(const Discretisation& d, double tolerance, int refinements
     for (std::size_t i = 0; i < n; ++i) {
       const double radius = k.row_radius()[i] + dense.row_radius[i];
       ASSERT_NEAR(y[i], expected[i], radius) << where << " row " << i;
-      ASSERT_NEAR(accurate[i], y[i], 1e-13) << where << " row " << i;
+      // Rows of high degrees have large entries of both signs.
+      ASSERT_NEAR(accurate[i], y[i], 1e-13 * std::max(1.0, std::abs(y[i]))) << where << " row " << i;
     }
   }
   double largest_radius = 0;
@@ -140,7 +141,7 @@ void expect_agreement(const Discretisation& d, double tolerance, int refinements
 
 TEST(ClusterOperator, AgreesWithTheDenseMatrixForEveryDegree) {
   // Leaves of one element, so that small problems have couplings.
-  for (int degree = 0; degree <= 10; ++degree) {
+  for (int degree = 0; degree <= 8; ++degree) {
     const int level = degree == 0 ? 3 : 2;
     const double tolerance = degree == 0 ? 1e-8 : degree <= 4 ? 1e-4 : 1e-3;
     // No small problem of a degree above 6 has couplings on the ellipsoid.
@@ -148,6 +149,7 @@ TEST(ClusterOperator, AgreesWithTheDenseMatrixForEveryDegree) {
     const Surface surface = is_curved ? ellipsoid(1, Rational(3, 2), 2) : cube();
     expect_agreement(Discretisation(surface, level, degree), tolerance, 0);
   }
+  for (const int degree : {9, 10}) expect_agreement(Discretisation(two_squares(), 2, degree), 1e-3, 0);
 }
 
 TEST(ClusterOperator, AgreesWithTheDenseMatrixOnEverySurfaceOfAnalyticCharts) {

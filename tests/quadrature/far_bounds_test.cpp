@@ -70,8 +70,9 @@ TEST(FarBounds, HoldWhereTheObserverLooksPastTheMiddle) {
 
 TEST(RoundingBound, CountsEveryPointAndTheCoordinates) {
   constexpr double u = unit_roundoff<double>();
-  EXPECT_GE(rounding_bound<double>(100, 1, 0, u), 160 * u);
-  EXPECT_GE(rounding_bound<double>(0, 0, 3, u), 24 * u);
+  EXPECT_GE(rounding_bound<double>(100, 45, 1, 0, u), 160 * u);
+  EXPECT_GE(rounding_bound<double>(100, 55, 1, 0, u), 300 * u);
+  EXPECT_GE(rounding_bound<double>(0, 1, 0, 3, u), 24 * u);
   EXPECT_GE(least_distance(2.0), 1024 * u);
 }
 

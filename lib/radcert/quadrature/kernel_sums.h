@@ -113,13 +113,15 @@ KernelSums<R> chord_sums(const CollocationPoint<R>& p, const Chart& chart, const
 /// A bound for what rounding did to value_j, to first order in the unit roundoff u.
 /// Maths     (points + 60) u size_j + 8 u tilt_j: each term passes at most 60 roundings in chart, kernel,
 ///           weight and basis, a sum of k terms at most k more; coordinates are off by at most 8 u of the
-///           largest. More than 45 functions have a degree above 8: ten roundings more
+///           largest. More than 45 functions have a degree above 8: 200 in place of 60, since the Bernstein
+///           coefficients of Lagrange functions grow: the values of those at the nodes of degree 10 that
+///           radcert has are off by up to 183 u of their means, of degree 8 by 64 u
 /// Source    standard model of rounding; the counts are those of the formulas in this layer
 /// Requires  no point of the cell nearer to P than least_distance
 /// Result    a bound if the chart's own formula loses no more than 8 u of the largest coordinate
 template <class V, class R>
 V rounding_bound(std::size_t points, std::size_t functions, const V& size, const V& tilt, const R& u) {
-  const std::size_t of_a_term = functions > 45 ? 70 : 60;
+  const std::size_t of_a_term = functions > 45 ? 200 : 60;
   return V(R(static_cast<double>(points + of_a_term)) * u) * size + V(R(coordinate_roundings) * u) * tilt;
 }
 

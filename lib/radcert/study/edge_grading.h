@@ -49,8 +49,11 @@ struct EdgeGrading {
 /// Requires  the problem's surface
 /// Result    or InputError at /triangulation/grading: a basis without degree, a face that is no plane unit
 ///           square, a corner of other faces, a reflectivity not below 1, an exponent that was not found
-/// Limits    faces that share a part of a side only are not looked at. Where u has no limit at a corner, as
-///           where E has different ones there on the faces, no grading makes it converge there
+/// Limits    faces that share a part of a side only are not looked at. Where u has no limit at a corner no
+///           grading makes it converge there. Of the light that leaves the three faces at a right-angled
+///           corner each receives 3/4, of constant functions; so u has the limit (E + rho s)/(1 - 3 rho/4)
+///           there if all three have the same E, rho and light s from elsewhere, and in general none: on the
+///           cube E = 1 + x has one limit at each corner, s two
 [[nodiscard]] EdgeGrading edge_grading(const Problem& problem, const Surface& surface);
 
 /// The same, for a record of what edges and corners ask for, whatever the grading of the problem is.

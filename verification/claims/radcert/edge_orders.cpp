@@ -13,12 +13,18 @@
 //              edge_grading_order_on_the_cube, edge_grading_order_on_the_bright_cube: the largest difference
 //              of u_n from that of the next level over all vertices of the cube's mesh, corners and edges
 //              among them, each element's own value there against the mean of the finer elements of the face.
-//              E = 1 + x, with one limit at each edge and corner; rho = 1/2, and 9/10. Levels at quick: all
-//              whose matrix has at most 4608 rows; else for rho = 1/2 from level 2 on, where the grading
-//              begins to act, to 50,000 rows, by the operator of clusters. Rejected: the uniform mesh.
-// Not checked  other angles, finer levels; on the cube degrees from 2 on, and degree 1 with rho = 9/10 on
-//              level 4, where elements are so thin that the matrix is refused; on two squares the ends of the
-//              edge, and degrees from 2 on, refused likewise from level 3 or 4 on.
+//              E = 1 + x(1-x) + y(1-y) + z(1-z), for which u has a limit at each corner; rho = 1/2, and 9/10.
+//              Levels at quick: all whose matrix has at most 4608 rows; else for rho = 1/2 from level 2 on,
+//              where the grading begins to act, to 50,000 rows, by the operator of clusters. Rejected: the
+//              uniform mesh.
+//              corner_grading_order: on levels to 4608 rows what u_n is off at the corner (0,0,0) from the
+//              value that the equation has there, (E + rho s)/(1 - 3 rho/4) with the light s of u_n from the
+//              three faces opposite: s is an integral of a smooth function, and nearer to the truth than u_n.
+//              The uniform mesh shows the corner's exponent. Rejected: E = 1 + x, with which u has no limit
+//              there, for degree 1; for degree 0 the differences from that value change their sign.
+// Not checked  other angles, finer levels; on the cube degrees from 3 on, and over the vertices from 2 on, and
+//              degree 1 with rho = 9/10 on level 4, where elements are so thin that the matrix is refused; on
+//              two squares the ends of the edge, and degrees from 2 on, refused likewise from level 3 or 4 on.
 
 #include <algorithm>
 #include <array>
@@ -28,10 +34,13 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/closed_form/edge/corner_exponent.h"
 #include "radcert/closed_form/edge/edge_exponents.h"
 #include "radcert/core/contract.h"
 #include "radcert/expression/parse.h"
 #include "radcert/formats/result/stored_levels.h"
+#include "radcert/polynomial/nodes/lattice.h"
+#include "radcert/polynomial/rules/interpolatory_rule.h"
 #include "radcert/study/edge_grading.h"
 #include "radcert/study/study.h"
 #include "verification/claims/radcert/mesh_choice.h"
@@ -166,6 +175,48 @@ LevelErrors vertex_differences(const Bench& bench, const Problem& problem, int f
   });
 }
 
+/// The light at (0, 0, 0) that u_n sends from the three faces opposite to the face x = 0.
+/// Maths     1/pi Int G u_n by the interpolatory rule of the nodes, over x = 1, y = 1 and z = 1, where G is
+///           smooth seen from there
+double light_at_the_corner(const LevelOutcome& level, const TriangleRule<Rational>& rule) {
+  const Vector<double> normal{1, 0, 0};
+  double sum = 0;
+  for (const NodeValue& node : level.nodes) {
+    const Vector<double>& q = node.point;
+    if (!is_near(q.x, 1) && !is_near(q.y, 1) && !is_near(q.z, 1)) continue;
+    const auto& [a, b, c] = level.elements.at(node.element).corners;
+    const double parallelogram = norm(cross(b - a, c - a));
+    const double g = -dot(q, normal) * dot(q, node.normal) / power(norm(q), 4);
+    sum += rule.weights.at(node.index_in_element).to_double() * parallelogram * g * node.u_n.value;
+  }
+  return sum / std::acos(-1.0);
+}
+
+/// How far u_n is off at the corner (0, 0, 0) from what the equation says of it.
+LevelErrors corner_errors(const Bench& bench, const Problem& problem, double rho, int degree, int last) {
+  const TriangleRule<Rational> rule =
+      interpolatory_rule(lagrange_functions(inset_nodes(degree, Rational(1, 10))).value());
+  return over_levels(levels_from(0, last), [&](int number) {
+    const LevelOutcome level = bench.levels.level(problem, number);
+    const double there = (1 + rho * light_at_the_corner(level, rule)) / (1 - 3 * rho / 4);
+    // Entries to 1e-13 of their row, the inverse at most 10, a vertex at most 100 from nodes at alpha = 1/10.
+    Approximation largest{.value = 0, .radius = 1e-9};
+    for (const ElementValue& element : level.elements)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const Vector<double>& p = element.corners.at(i); is_near(norm(p), 0))
+          largest.value = std::max(largest.value, std::abs(element.corner_values.at(i) - there));
+    return largest;
+  });
+}
+
+/// Of the cube with an emission that its symmetries leave as it is: 1 at the corners.
+Problem symmetric_cube_problem(int degree, const Rational& rho) {
+  Problem problem = linear_problem({.name = "cube", .parameters = {}}, rho);
+  problem.method = Collocation{{.degree = degree, .alpha = Rational(1, 10)}};
+  problem.emission = everywhere("1 + x*(1-x) + y*(1-y) + z*(1-z)");
+  return problem;
+}
+
 /// The finest level of the cube whose matrix has at most so many rows.
 int finest_level(int degree, int most_unknowns) {
   int level = 0;
@@ -179,9 +230,7 @@ Finding order_on_the_cube(const Rational& rho, int first, int most_rows, const B
   Finding finding;
   for (const int degree : {0, 1}) {
     const int last = finest_level(degree, most_rows);
-    Problem problem = linear_problem({.name = "cube", .parameters = {}}, rho);
-    problem.method = Collocation{{.degree = degree, .alpha = Rational(1, 10)}};
-    problem.emission = everywhere("1 + x");
+    Problem problem = symmetric_cube_problem(degree, rho);
     problem.matrix.tolerance = Rational(1) / power(Rational(10), 10);
     // What is told from it is the order without grading.
     const Order smooth = Order::at_least(degree + 1, exponent(90, rho));
@@ -298,6 +347,37 @@ Finding edge_grading_order_on_the_cube(const Bench& bench) {
 
 Finding edge_grading_order_on_the_bright_cube(const Bench& bench) {
   return order_on_the_cube(Rational(9, 10), 0, 4608, bench);
+}
+
+Finding corner_grading_order(const Bench& bench) {
+  Finding finding;
+  const Rational rho(1, 2);
+  const double corner = octant_exponent({0.5, 0.5, 0.5}).value;
+  const double of_larger_reflectivity = octant_exponent({0.9, 0.9, 0.9}).value;
+  const int largest_degree = bench.budget != Budget::quick ? 2 : 1;
+  for (int degree = 0; degree <= largest_degree; ++degree) {
+    const int last = finest_level(degree, 4608);
+    Problem problem = symmetric_cube_problem(degree, rho);
+    const Order smooth = Order::at_least(degree + 1, corner);
+    const std::string with = ", degree " + std::to_string(degree) + ", levels to " + std::to_string(last);
+    const ObservedOrder uniform =
+        observed_order(corner_errors(bench, problem, rho.to_double(), degree, last));
+    finding.require("order at the corner, uniform, against its exponent" + with,
+                    Order::is(corner, of_larger_reflectivity, degree + 1), uniform);
+    problem.triangulation.grading = edge_grading(problem, surface_of(problem)).grading;
+    const ObservedOrder graded = observed_order(corner_errors(bench, problem, rho.to_double(), degree, last));
+    finding.require("order at the corner, graded by " + problem.triangulation.grading.to_text() + with,
+                    smooth, graded);
+    finding.show(graded.exponent);
+    // The light from elsewhere differs between the faces then.
+    problem.emission = everywhere("1 + x");
+    const ObservedOrder of_no_limit =
+        observed_order(corner_errors(bench, problem, rho.to_double(), degree, last));
+    const std::string without = "the same for E = 1 + x, with which u has no limit there" + with;
+    if (degree == 1) finding.control(without, smooth, of_no_limit);
+    if (degree != 1) finding.remark(without, of_no_limit.exponent);
+  }
+  return finding;
 }
 
 }  // namespace radcert::verification::radcert
