@@ -22,9 +22,10 @@
 //              three faces opposite: s is an integral of a smooth function, and nearer to the truth than u_n.
 //              The uniform mesh shows the corner's exponent. Rejected: E = 1 + x, with which u has no limit
 //              there, for degree 1; for degree 0 the differences from that value change their sign.
-// Not checked  other angles, finer levels; on the cube degrees from 3 on, and over the vertices from 2 on, and
-//              degree 1 with rho = 9/10 on level 4, where elements are so thin that the matrix is refused; on
-//              two squares the ends of the edge, and degrees from 2 on, refused likewise from level 3 or 4 on.
+// Not checked  other angles, finer levels; on the cube degrees from 3 on, and over the vertices from 2 on,
+//              and degree 1 with rho = 9/10 on level 4, where elements are so thin that the matrix is
+//              refused; on two squares the ends of the edge, and degrees from 2 on, refused likewise from
+//              level 3 or 4 on.
 
 #include <algorithm>
 #include <array>
