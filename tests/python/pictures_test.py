@@ -68,6 +68,19 @@ class Pictures(ModuleTest):
         self.assertLess(np.abs(shown[..., 0] - expected).max(), 0.012)
         self.assertLess(np.abs(shown[..., 0] - expected).mean(), 0.004)
 
+    def test_the_iterated_solution_is_smooth_where_u_n_jumps(self):
+        x, y, z = rc.xyz()
+        self.solution = rc.Problem(rc.box(1, 1, 1), reflectivity="1/2", solution=x/2 + y/4 + z, basis=rc.inset(0),
+                                   levels=[1], iterated=True).solve()
+        places = 6 * np.tan(0.15) * ((np.arange(120) + 0.5) / 120 - 0.5)
+        expected = (0.5 + places[None, :])/2 + (0.5 - places[:, None])/4
+
+        def error(of):
+            return np.abs(light(pixels(self.drawn(angle=0.3, of=of)))[..., 0] - expected).mean()
+
+        self.assertLess(4*error("iterated"), error("u_n"))
+        self.assertIn("E + K u_n", self.solution.picture(**ABOVE, of="iterated").text)
+
     def test_the_same_bytes_for_any_number_of_threads(self):
         first = self.drawn(samples=3)
         before = rc.thread_count()
@@ -96,6 +109,8 @@ class Pictures(ModuleTest):
         self.assertEqual(place(samples=9), "/samples")
         self.assertEqual(place(scale="red"), "/scale")
         self.assertEqual(place(low=1, high=1), "/high")
+        self.assertEqual(place(of="v"), "/of")
+        self.refused(lambda: self.drawn(of="iterated"), '"iterated": true')
         self.refused(lambda: self.solution.picture("picture.jpg", **ABOVE), ".svg, .png")
         self.assertRaises(IndexError, self.drawn, level=2)
         self.assertRaises(TypeError, self.drawn, position=(0, 0))

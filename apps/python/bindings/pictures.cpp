@@ -37,6 +37,7 @@ struct Wanted {
   std::optional<double> low;
   std::optional<double> high;
   std::string scale;
+  std::string of;
   bool words = true;
 };
 
@@ -133,17 +134,30 @@ double value_at(const ElementValue& element, const Vector<double>& p) {
   return (1 - of_b - of_c) * u_a + of_b * u_b + of_c * u_c;
 }
 
-std::string picture_of(const LevelOutcome& level, const Wanted& wanted) {
+/// The elements with the values that are shown at their corners.
+std::vector<ElementValue> shown_elements(const LevelOutcome& level, const std::string& of) {
   if (level.elements.empty())
     throw InputError({.source = "picture",
                       .problem = "has no elements to show",
                       .allowed = "a solution on triangles, of one run and not of an experiment"});
+  std::vector<ElementValue> elements = level.elements;
+  if (of == "u_n") return elements;
+  if (of != "iterated") refuse("of", of, "u_n, iterated");
+  for (ElementValue& element : elements) {
+    if (!element.iterated) refuse("of", of, "u_n, or a problem with \"iterated\": true");
+    element.corner_values = *element.iterated;
+  }
+  return elements;
+}
+
+std::string picture_of(const LevelOutcome& level, const Wanted& wanted) {
+  const std::vector<ElementValue> elements = shown_elements(level, wanted.of);
   const CameraPose pose = pose_of(wanted);
   const std::size_t width = side_of(wanted.size[0]);
   const std::size_t height = side_of(wanted.size[1]);
   if (wanted.samples < 1 || wanted.samples > 8)
     refuse("samples", std::to_string(wanted.samples), "a whole number from 1 to 8");
-  const ColourScale scale = scale_of(wanted, level.elements);
+  const ColourScale scale = scale_of(wanted, elements);
   const Facets facets = facets_of(level);
   const std::vector<std::size_t> piece(facets.element.size(), 0);
   const std::vector<std::string> names{"all"};
@@ -152,13 +166,14 @@ std::string picture_of(const LevelOutcome& level, const Wanted& wanted) {
   if (!caster)
     throw InputError({.source = "picture", .problem = caster.reason(), .allowed = "plane elements"});
   Sheet sheet({.width = width, .height = height, .has_words = wanted.words, .has_scale = wanted.words});
-  const ImageRegion panel = sheet.panel(0, 0, wanted.words ? "u_n" : "");
+  const std::string shown = wanted.of == "u_n" ? "u_n" : "E + K u_n";
+  const ImageRegion panel = sheet.panel(0, 0, wanted.words ? shown : "");
   const PointValue value = [&](const LitPoint& at) -> std::optional<double> {
-    return value_at(level.elements[facets.element[at.chart]], at.site.point);
+    return value_at(elements[facets.element[at.chart]], at.site.point);
   };
   show(sheet.image, {.camera = pose, .picture = panel, .samples = static_cast<std::size_t>(wanted.samples)},
        caster.value(), [&] { return value; }, {.scale = scale});
-  const std::string description = "u_n by radcert";
+  const std::string description = shown + " by radcert";
   if (!wanted.words) return png_bytes(sheet.image, description);
   sheet.add_scale(panel, scale);
   return sheet.svg_text(description);
@@ -172,7 +187,8 @@ void add_pictures(py::module_& module) {
       [](const app::Solution& solution, std::size_t place, const std::array<double, 3>& position,
          const std::array<double, 3>& look_at, const std::array<double, 3>& up, double angle,
          const std::array<std::int64_t, 2>& size, std::int64_t samples, std::optional<double> low,
-         std::optional<double> high, const std::string& scale, bool words, const py::object& progress) {
+         std::optional<double> high, const std::string& scale, const std::string& of, bool words,
+         const py::object& progress) {
         if (place >= solution.levels.size())
           refuse("level", std::to_string(place),
                  "a place among " + std::to_string(solution.levels.size()) + " levels");
@@ -185,13 +201,14 @@ void add_pictures(py::module_& module) {
                             .low = low,
                             .high = high,
                             .scale = scale,
+                            .of = of,
                             .words = words};
         return py::bytes(
             compute(progress, [&](Progress&) { return picture_of(solution.levels[place], wanted); }));
       },
       py::arg("solution"), py::arg("place"), py::arg("position"), py::arg("look_at"), py::arg("up"),
       py::arg("angle"), py::arg("size"), py::arg("samples"), py::arg("low"), py::arg("high"),
-      py::arg("scale"), py::arg("words"), py::arg("progress"));
+      py::arg("scale"), py::arg("of"), py::arg("words"), py::arg("progress"));
 }
 
 }  // namespace radcert::python

@@ -268,7 +268,8 @@ class Solution:
     def ply(self) -> bytes: ...
 
 def picture(solution: Solution, place: int, position: Any, look_at: Any, up: Any, angle: float, size: Any, samples: int,
-            low: Optional[float], high: Optional[float], scale: str, words: bool, progress: Listener) -> bytes: ...
+            low: Optional[float], high: Optional[float], scale: str, of: str, words: bool,
+            progress: Listener) -> bytes: ...
 
 class ExperimentRun:
     @property

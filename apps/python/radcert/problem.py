@@ -370,18 +370,20 @@ class Solution:
 
     def picture(self, path: Optional[Path] = None, *, position: Any, look_at: Any, up: Any = (0, 0, 1), angle: float = 0.75,
                 level: int = -1, size: Any = (640, 480), samples: int = 2, low: Optional[float] = None,
-                high: Optional[float] = None, scale: str = "map", progress: Listener = None) -> Optional["Picture"]:
-        """u_n as a pinhole camera sees it: written to a file, or returned as an object that notebooks show.
+                high: Optional[float] = None, scale: str = "map", of: str = "u_n",
+                progress: Listener = None) -> Optional["Picture"]:
+        """A solution as a pinhole camera sees it: written to a file, or returned as an object that notebooks show.
 
         path: .svg with the scale beside the picture, or .png, the pixels alone. position, look_at, up: triples of floats;
             one looks into a closed room from outside, as faces are seen from their lit side alone. angle: between the upper
             and the lower edge, in radians. level: the place among ``levels``. size: (width, height) in pixels, each from 64
             to 4096. samples: rays a pixel, squared, from 1 to 8.
-        low, high: the numbers at the ends of the scale; those of u_n, and 0 for light, where none are given. scale: "map",
-            colours of equal steps, or "light", the amount of light.
+        low, high: the numbers at the ends of the scale; those of what is shown, and 0 for light, where none are given.
+            scale: "map", colours of equal steps, or "light", the amount of light. of: "u_n", or "iterated", E + K u_n, of a
+            problem with ``iterated``.
 
-        Elements are shown plane between their corners, and u_n linear between its values there. Of one solve, not of an
-        experiment.
+        Elements are shown plane between their corners, and what is shown linear between its values there. Of one solve, not
+        of an experiment.
         """
         count = len(self)
         place = level + count if level < 0 else level
@@ -391,7 +393,7 @@ class Solution:
         if name is not None and not name.endswith((".svg", ".png")):
             _core.refuse("picture", "/path", name, "ends otherwise", ".svg, .png")
         drawn = _core.picture(self._solution, place, [float(x) for x in position], [float(x) for x in look_at],
-                              [float(x) for x in up], float(angle), [int(x) for x in size], samples, low, high, scale,
+                              [float(x) for x in up], float(angle), [int(x) for x in size], samples, low, high, scale, of,
                               not (name or "").endswith(".png"), progress)
         if path is not None:
             write(path, drawn)
