@@ -108,7 +108,9 @@ class Reference(PageTest):
             self.assertEqual({"mantissa": mantissa, "exponent": exponent}, value["midpoint_binary"])
             if "certificates" in entry:
                 self.assertRegex(row["name"], "^continuous_(mean|value)_")
-                self.assertLessEqual(mpf(row["radius"]), mpf("1e-4"))
+                # Where parts hide each other, less is known.
+                most = "1e-3" if "l_room" in row["name"] else "1e-4"
+                self.assertLessEqual(mpf(row["radius"]), mpf(most))
                 self.assertEqual([os.path.join("certificates", route["certificate"]) for route in value["route_values"]],
                                  entry["certificates"])
                 for file in entry["certificates"]:
