@@ -5,6 +5,7 @@
 
 #include "exact.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/interrupt.h"
 
 namespace radcert::python {
 
@@ -70,6 +71,7 @@ DoubleArray double_rows(const py::handle& object, std::size_t columns, const std
 
 DoubleArray called(const py::object& function, const py::array_t<double>& rows, const std::string& place,
                    const std::vector<py::ssize_t>& behind, const std::string& allowed) {
+  throw_if_interrupted();  // a sum may call it a thousand times
   const DoubleArray found = double_array(function(rows), place, allowed);
   std::vector<py::ssize_t> shape{rows.shape(0)};
   shape.insert(shape.end(), behind.begin(), behind.end());

@@ -57,7 +57,8 @@ template <class List, class Make>
 }
 
 /// What a function of Python gives for an array with n rows: doubles in an array of the shape (n, behind...).
-/// Result    InputError at `place` for another shape or type; what the function raises leaves
+/// Result    InputError at `place` for another shape or type; what the function raises leaves; Interrupted
+///           where the user has asked to stop
 [[nodiscard]] DoubleArray called(const py::object& function, const py::array_t<double>& rows,
                                  const std::string& place, const std::vector<py::ssize_t>& behind,
                                  const std::string& allowed);

@@ -11,6 +11,7 @@
 #include "arrays.h"
 #include "exact.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/interrupt.h"
 #include "radcert/core/text.h"
 #include "radcert/meshless/mother_function.h"
 #include "radcert/surface/surface_function.h"
@@ -53,6 +54,7 @@ double mother_of(const Kept& function, double r) {
   constexpr const char* place = "/basis/mother";
   constexpr const char* allowed = "a function of a float r >= 0 that gives a finite float";
   const py::gil_scoped_acquire held;
+  throw_if_interrupted();
   const py::object found = (*function)(r);
   const double value = PyFloat_AsDouble(found.ptr());
   if (PyErr_Occurred() != nullptr) {
