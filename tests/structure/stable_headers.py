@@ -19,7 +19,7 @@ def uses_of_detail(root):
             if path.suffix not in (".h", ".cpp") or "node_modules" in path.parts:
                 continue
             layer = path.relative_to(root / folder).parts[0] if folder == "lib/radcert" else None
-            if layer not in layers and "detail::" in path.read_text(encoding="utf-8"):
+            if layer not in layers and re.search(r"(?<!py::)\bdetail::", path.read_text(encoding="utf-8")):
                 yield f"{path.relative_to(root)} uses a namespace detail, which is for its own layer"
 
 
