@@ -45,6 +45,8 @@ inline LevelOutcome made_up_level(const Problem& problem, int level) {
       Approximation{.value = factor * std::ldexp(1.0, -2 * level), .radius = 1e-12, .guaranteed = false};
   outcome.result.discretisation_error =
       Approximation{.value = 3 * factor * std::ldexp(1.0, -2 * level), .radius = 1e-12, .guaranteed = false};
+  // A level that is kept without nodes is computed again.
+  outcome.nodes.emplace_back();
   return outcome;
 }
 
