@@ -10,7 +10,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/basis_facts.h"
-#include "radcert/polynomial/nodes/free_search.h"
+#include "radcert/polynomial/nodes/search/free_search.h"
 
 namespace radcert {
 namespace {

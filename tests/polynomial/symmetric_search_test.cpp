@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/nodes/symmetric_search.h"
+#include "radcert/polynomial/nodes/search/symmetric_search.h"
 
 #include <gtest/gtest.h>
 

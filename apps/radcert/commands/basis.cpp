@@ -17,7 +17,7 @@
 #include "radcert/formats/json/json_reader.h"
 #include "radcert/formats/problem/node_file.h"
 #include "radcert/formats/result/basis_json.h"
-#include "radcert/polynomial/nodes/free_search.h"
+#include "radcert/polynomial/nodes/search/free_search.h"
 #include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "records/basis_records.h"
 

@@ -13,10 +13,10 @@
 #include "radcert/core/interrupt.h"
 #include "radcert/core/version.h"
 #include "radcert/formats/problem/node_file.h"
-#include "radcert/polynomial/nodes/free_search.h"
 #include "radcert/polynomial/nodes/orbit_structure.h"
+#include "radcert/polynomial/nodes/search/free_search.h"
+#include "radcert/polynomial/nodes/search/symmetric_search.h"
 #include "radcert/polynomial/nodes/symmetric_certificate.h"
-#include "radcert/polynomial/nodes/symmetric_search.h"
 #include "records/basis_records.h"
 
 namespace radcert::app {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/nodes/symmetric_search.h"
+#include "radcert/polynomial/nodes/search/symmetric_search.h"
 
 #include <Eigen/Dense>
 
@@ -15,11 +15,11 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/basis_facts.h"
-#include "radcert/polynomial/nodes/damped_least_squares.h"
 #include "radcert/polynomial/nodes/lattice.h"
-#include "radcert/polynomial/nodes/lattice_norm.h"
 #include "radcert/polynomial/nodes/orbit_structure.h"
-#include "radcert/polynomial/nodes/random_starts.h"
+#include "radcert/polynomial/nodes/search/damped_least_squares.h"
+#include "radcert/polynomial/nodes/search/lattice_norm.h"
+#include "radcert/polynomial/nodes/search/random_starts.h"
 #include "radcert/polynomial/nodes/symmetric_system.h"
 #include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/dual.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/nodes/damped_least_squares.h"
+#include "radcert/polynomial/nodes/search/damped_least_squares.h"
 
 #include <Eigen/Dense>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/nodes/free_search.h"
+#include "radcert/polynomial/nodes/search/free_search.h"
 
 #include <Eigen/Dense>
 
@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "radcert/core/contract.h"
-#include "radcert/polynomial/nodes/damped_least_squares.h"
 #include "radcert/polynomial/nodes/lattice.h"
-#include "radcert/polynomial/nodes/lattice_norm.h"
-#include "radcert/polynomial/nodes/random_starts.h"
+#include "radcert/polynomial/nodes/search/damped_least_squares.h"
+#include "radcert/polynomial/nodes/search/lattice_norm.h"
+#include "radcert/polynomial/nodes/search/random_starts.h"
 #include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/dual.h"
 

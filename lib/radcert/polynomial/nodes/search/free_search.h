@@ -6,7 +6,7 @@
 #include <string>
 
 #include "radcert/polynomial/nodes/free_nodes.h"
-#include "radcert/polynomial/nodes/symmetric_search.h"
+#include "radcert/polynomial/nodes/search/symmetric_search.h"
 
 namespace radcert {
 

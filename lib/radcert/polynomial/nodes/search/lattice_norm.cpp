@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/polynomial/nodes/lattice_norm.h"
+#include "radcert/polynomial/nodes/search/lattice_norm.h"
 
 #include <Eigen/Dense>
 
