@@ -65,6 +65,35 @@ TEST(ElementIntegrator, RowsSumToPiBesideAnEdge) {
   expect_pi(surface, 1, {1e-6, 1e-6}, 1, 1, 1e-6, 1e-9);
 }
 
+TEST(ElementIntegrator, ThinElementsAwayFromTheOriginAreWithinTheirRadii) {
+  // Corners of parts are rounded by 1e-16, which of their widths is as much as 1e-9: their areas must not be.
+  const Surface surface = cube();
+  const InsetBasis<double> basis(1, 0.1);
+  const InsetBasis<Mpfr<50>> exact_basis(1, Mpfr<50>(0.1));
+  Stream stream(5);
+  for (int k = 0; k < 12; ++k) {
+    const double width = std::pow(10, -3 - k % 5);
+    const double begin = 0.5 * stream.uniform();
+    const ParameterTriangle triangle{0, {{{1 - width, begin}, {1, begin}, {1 - width, begin + 0.3}}}};
+    const std::size_t chart = 2 + stream.index(4);
+    const double near = 0.1 * std::pow(10, -2 * stream.uniform());
+    const std::array<double, 2> at =
+        k % 2 == 0 ? std::array{near, stream.uniform()} : std::array{stream.uniform(), 1 - near};
+    const ElementIntegral<double> value =
+        ElementIntegrator<double>(surface, triangle, basis)
+            .integrate(collocation_point<double>(surface, {chart, {at[0], at[1]}}));
+    const ElementIntegral<Mpfr<50>> exact =
+        ElementIntegrator<Mpfr<50>>(surface, triangle, exact_basis, Tolerance(1e-20))
+            .integrate(collocation_point<Mpfr<50>>(surface, {chart, {Mpfr<50>(at[0]), Mpfr<50>(at[1])}}));
+    for (std::size_t j = 0; j < basis.size(); ++j) {
+      const Mpfr<50> off = abs(Mpfr<50>(value.value[j]) - exact.value[j]);
+      EXPECT_LE(nearest_double<Mpfr<50>>(off), value.radius[j] + nearest_double<Mpfr<50>>(exact.radius[j]))
+          << width << " chart " << chart << " at " << at[0] << " " << at[1];
+      EXPECT_LE(value.radius[j], 1e-16 + 1e-9 * value.absolute);
+    }
+  }
+}
+
 TEST(ElementIntegrator, RowsSumToPiInThinBoxesWithinTheirRadii) {
   // The nearer the walls, the less their rounded coordinates say: the radius tells how little.
   for (const int k : {1, 3, 6, 8, 9, 10, 11, 12, 13, 14, 15, 17, 30}) {

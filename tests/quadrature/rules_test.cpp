@@ -192,25 +192,5 @@ TEST(ChartInverse, ContainsItsVerticesAndSidesAndNothingElse) {
     EXPECT_FALSE(contains(cell, outside)) << outside.s << " " << outside.t;
 }
 
-TEST(ElementPart, BisectionKeepsAreaAndCornersTogether) {
-  const ElementPart<double> cell = whole_element<double>({0, {{{0, 0}, {0.5, 0}, {0.25, 0.75}}}});
-  const auto area = [](const ElementPart<double>& c) {
-    return cross(c.vertices[1] - c.vertices[0], c.vertices[2] - c.vertices[0]);
-  };
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(area(cell.rotated(i)), area(cell));
-    EXPECT_EQ(cell.rotated(i).vertices[0], cell.vertices[i]);
-    for (const ElementPart<double>& half : cell.bisected(i)) {
-      EXPECT_EQ(area(half), area(cell) / 2);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::array<double, 3>& x = half.corners[k].x;
-        const ParameterPoint<double> at =
-            x[0] * cell.vertices[0] + x[1] * cell.vertices[1] + x[2] * cell.vertices[2];
-        EXPECT_EQ(at, half.vertices[k]);
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace radcert

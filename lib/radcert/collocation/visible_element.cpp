@@ -40,7 +40,7 @@ bool lies_inside(const Corners& element, const Corners& part) {
 ElementPart<double> cell_of(const ParameterTriangle& element, const std::array<Point, 3>& corners) {
   const auto& v = element.vertices;
   const double area = cross(v[1] - v[0], v[2] - v[0]);
-  ElementPart<double> cell{corners, {}};
+  ElementPart<double> cell{corners, {}, cross(corners[1] - corners[0], corners[2] - corners[0])};
   for (std::size_t k = 0; k < 3; ++k) {
     const double second = cross(corners[k] - v[0], v[2] - v[0]) / area;
     const double third = cross(v[1] - v[0], corners[k] - v[0]) / area;

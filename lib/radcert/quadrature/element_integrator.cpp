@@ -189,17 +189,8 @@ CheckedSums<R> ElementIntegrator<R>::integrate_away(const CollocationPoint<R>& p
       result.complete = false;
       continue;
     }
-    std::size_t opposite = 0;  // the vertex opposite to the longest side
-    R longest = R(0);
-    for (std::size_t i = 0; i < 3; ++i) {
-      const R side = norm(fresh.corners[(i + 1) % 3] - fresh.corners[(i + 2) % 3]);
-      if (side > longest) {
-        longest = side;
-        opposite = i;
-      }
-    }
-    for (const ElementPart<R>& half : piece.cell.bisected(opposite))
-      pending_.push_back({half, piece.depth + 1, piece.failures});
+    for (const ElementPart<R>& part : division_.divide(piece.cell, fresh.corners, p.point))
+      pending_.push_back({part, piece.depth + 1, piece.failures});
   }
   return result;
 }

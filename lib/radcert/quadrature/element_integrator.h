@@ -10,6 +10,7 @@
 #include "radcert/quadrature/far_field.h"
 #include "radcert/quadrature/integration_scheme.h"
 #include "radcert/quadrature/kernel_sums.h"
+#include "radcert/quadrature/part_division.h"
 
 namespace radcert {
 
@@ -37,7 +38,7 @@ struct BlockIntegral {
 
 /// Integrates G l_j over one element for many collocation points.
 /// Maths     far: conical Gauss rules on the element, of an order chosen from the ratio of distance and size;
-///           near: the longest side is bisected until the pieces are far in terms of their own size, and
+///           near: it is divided (part_division.h) until the pieces are far in terms of their own size, and
 ///           change evenly (even_shape.h); near and around a collocation point on the element's own curved
 ///           chart, or on another one of its smooth piece where the chart's formula continues to P:
 ///           integrate_around; on the element's own plane: exactly 0.  What a rule leaves out:
@@ -125,6 +126,7 @@ private:
   R extent_{};
   std::optional<FarView<R>> view_;
   std::vector<Piece> pending_;
+  PartDivision<R> division_;
   std::array<Samples<R>, 2> scratch_;
   std::vector<std::optional<Samples<R>>> kept_;
   std::vector<B> g_;

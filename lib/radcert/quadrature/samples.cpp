@@ -8,12 +8,6 @@
 namespace radcert {
 namespace {
 
-template <Real R>
-Barycentric<R> midpoint(const Barycentric<R>& a, const Barycentric<R>& b) {
-  const R half = R(1) / R(2);
-  return {{half * (a.x[0] + b.x[0]), half * (a.x[1] + b.x[1]), half * (a.x[2] + b.x[2])}};
-}
-
 /// The cell turned so that the rule is graded towards where the chart is not analytic, and how it is graded.
 template <Real R>
 struct Arrangement {
@@ -48,20 +42,10 @@ RuleArrays<R> in_arrays(const TriangleRule<R>& rule) {
 }  // namespace
 
 template <Real R>
-std::array<ElementPart<R>, 2> ElementPart<R>::bisected(std::size_t i) const {
-  const std::size_t j = (i + 1) % 3;
-  const std::size_t k = (i + 2) % 3;
-  const ParameterPoint<R> middle = (R(1) / R(2)) * (vertices[j] + vertices[k]);
-  const Barycentric<R> corner = midpoint(corners[j], corners[k]);
-  return {ElementPart{{vertices[i], vertices[j], middle}, {corners[i], corners[j], corner}},
-          ElementPart{{vertices[i], middle, vertices[k]}, {corners[i], corner, corners[k]}}};
-}
-
-template <Real R>
 ElementPart<R> ElementPart<R>::rotated(std::size_t i) const {
   const std::size_t j = (i + 1) % 3;
   const std::size_t k = (i + 2) % 3;
-  return {{vertices[i], vertices[j], vertices[k]}, {corners[i], corners[j], corners[k]}};
+  return {{vertices[i], vertices[j], vertices[k]}, {corners[i], corners[j], corners[k]}, doubled_area};
 }
 
 template <Real R>
@@ -72,6 +56,7 @@ ElementPart<R> whole_element(const ParameterTriangle& triangle) {
     cell.corners[i].x = {R(0), R(0), R(0)};
     cell.corners[i].x[i] = R(1);
   }
+  cell.doubled_area = cross(cell.vertices[1] - cell.vertices[0], cell.vertices[2] - cell.vertices[0]);
   return cell;
 }
 
@@ -95,7 +80,7 @@ void take_samples(const Chart& chart, const ElementPart<R>& cell,
   const std::array<ParameterPoint<R>, 3>& v = turned.vertices;
   const ParameterPoint<R> first = v[1] - v[0];
   const ParameterPoint<R> second = v[2] - v[0];
-  const B parallelogram = B(cross(first, second));
+  const B parallelogram = B(turned.doubled_area);
 
   out.count = rule.count;
   out.functions = basis.size();

@@ -14,16 +14,16 @@ namespace radcert {
 
 /// A triangle inside an element: its corners in the parameter plane and in the element's barycentric
 /// coordinates.
-/// Maths     the element itself, or what bisections left of it
-/// Requires  corners and vertices belong together
-/// Result    bisection is exact as long as the coordinates are dyadic
+/// Maths     the element itself, or what divisions left of it: part_division.h
+/// Requires  corners, vertices and area belong together
+/// Result    data alone
 template <Real R>
 struct ElementPart {
   std::array<ParameterPoint<R>, 3> vertices;
   std::array<Barycentric<R>, 3> corners;
+  /// Twice the area in the parameter plane. Of a thin part the vertices, which are rounded, know it less well.
+  R doubled_area{};
 
-  /// The two halves at the middle of the side opposite to vertex `i`.
-  std::array<ElementPart, 2> bisected(std::size_t i) const;
   /// The same cell with vertex `i` first.
   ElementPart rotated(std::size_t i) const;
 };
