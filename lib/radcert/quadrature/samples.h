@@ -21,7 +21,8 @@ template <Real R>
 struct ElementPart {
   std::array<ParameterPoint<R>, 3> vertices;
   std::array<Barycentric<R>, 3> corners;
-  /// Twice the area in the parameter plane. Of a thin part the vertices, which are rounded, know it less well.
+  /// Twice the area in the parameter plane. The vertices, which are rounded, know that of a thin part less
+  /// well.
   R doubled_area{};
 
   /// The same cell with vertex `i` first.
