@@ -38,11 +38,22 @@ if(RADCERT_WERROR)
   add_compile_options(-Werror)
 endif()
 
-if(RADCERT_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+set(RADCERT_SANITIZERS)
+if(RADCERT_SANITIZE STREQUAL "thread")
+  set(RADCERT_SANITIZERS -fsanitize=thread)
+  # The sanitizer takes no account of fences, such as those in the headers of oneTBB; parallel.cpp says in their place
+  # what happens before what.
+  add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-tsan>)
+elseif(RADCERT_SANITIZE MATCHES "^(address|ON|on|TRUE|1)$")
+  set(RADCERT_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all)
+elseif(RADCERT_SANITIZE)
+  message(FATAL_ERROR "RADCERT_SANITIZE: '${RADCERT_SANITIZE}' is no sanitizer; allowed: address, thread, OFF")
+endif()
+if(RADCERT_SANITIZERS)
+  add_compile_options(${RADCERT_SANITIZERS} -fno-omit-frame-pointer)
   # With the sanitizers GCC 12 takes the parts of std::regex for uninitialised (its bug 105562).
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-  add_link_options(-fsanitize=address,undefined -fno-sanitize-recover=all)
+  add_link_options(${RADCERT_SANITIZERS})
 endif()
 
 # radcert_for_shared_objects(<target>)

@@ -108,6 +108,18 @@ TEST(PartDivision, EndsWhereThePointIsACornerOrThePartHasNoLength) {
   PartDivision<double> division;
   const Part thin = triangle({0, 0}, {1, 0}, {0, 1e-9});
   EXPECT_LE(division.divide(thin, images(thin), {1, 0, 0}).size(), 210U);
+  // P on what has no width, at its apex, at its end and between.
+  for (const double width : {0.0, 1e-300, 1e-30, 1e-17})
+    for (const double place : {0.0, 1e-9, 1.0 / 3, 0.75, 1.0}) {
+      const Part line = triangle({0, 0}, {1, 0}, {0, width});
+      for (const Part& part : turned(line)) {
+        const std::size_t count = division.divide(part, images(part), {place, 0, 0}).size();
+        EXPECT_GE(count, 2U);
+        EXPECT_LE(count, 420U) << width << " " << place;
+      }
+    }
+  const double nan = std::nan("");
+  EXPECT_LE(division.divide(thin, images(thin), {nan, 0, 0}).size(), 4U);
   const Part point = triangle({0.5, 0.5}, {0.5, 0.5}, {0.5, 0.5});
   EXPECT_EQ(division.divide(point, images(point), {0.5, 0.5, 0}).size(), 2U);
 }

@@ -18,7 +18,7 @@ constexpr int coarsest_step = -4;
 constexpr int finest_step = -40;
 /// A slice is far whose middle lies so many times its length away: its triangles have a rule then.
 constexpr double far_lengths = 1.8;
-/// No slice is nearer to the apex than this share of the way.
+/// No slice shorter than this share of the way is halved.
 constexpr double least_share = 0x1p-50;
 
 /// A corner of a part.
@@ -107,8 +107,8 @@ void PartDivision<R>::slice(const ElementPart<R>& part, std::size_t apex, const 
     pending_.pop_back();
     const double middle = (begin + end) / 2;
     const R extent = R(end - begin) * length + R(end) * width;
-    const bool is_far = norm(at[apex] + R(middle) * axis - p) >= R(far_lengths) * extent;
-    if (!is_far && R(end - begin) * length > R(2) * R(end) * width && end > least_share) {
+    const bool is_near = norm(at[apex] + R(middle) * axis - p) < R(far_lengths) * extent;
+    if (is_near && R(end - begin) * length > R(2) * R(end) * width && end - begin > least_share) {
       pending_.push_back({middle, end});
       pending_.push_back({begin, middle});
       continue;
