@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <numbers>
 
+#include "radcert/closed_form/edge/corner_enclosure.h"
 #include "radcert/closed_form/edge/edge_exponents.h"
 #include "radcert/expression/parse.h"
 #include "radcert/reference/cubature/gauss_rule.h"
@@ -195,10 +196,21 @@ Case counted_exponents(const std::string& limit) {
           }};
 }
 
+/// Where the spectral radius of the operator at a corner passes 1.
+Case corner_exponent() {
+  return {.limit = "closed_form/edge/corner_enclosure: cells of a face", .answer = [] {
+            const Rational rho(1, 2);
+            const Outcome<Ball> found = enclosed_octant_exponent({rho, rho, rho}, Rational(1, 50));
+            if (!found) return refusal(found.reason());
+            return numbers({*found});
+          }};
+}
+
 }  // namespace
 
 std::vector<Case> reference_cases() {
   std::vector<Case> cases{
+      corner_exponent(),
       edge_of_density(),
       peak_of_density(),
       formula_of_density("1 + exp(-1e6*((x-0.3)^2 + (y-0.4)^2 + (z-1)^2))", "a peak"),
