@@ -26,7 +26,7 @@ namespace radcert {
 /// Source    ours
 /// Requires  reflectivities in [0, 1), else ContractViolation
 /// Result    estimated
-/// Limits    no proof. It may be smaller than the exponents of the three edges
+/// Limits    no proof: see corner_enclosure.h. It may be smaller than the exponents of the three edges
 [[nodiscard]] Approximation octant_exponent(const std::array<double, 3>& reflectivities);
 
 }  // namespace radcert
