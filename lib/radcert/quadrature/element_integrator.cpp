@@ -12,7 +12,7 @@
 namespace radcert {
 namespace {
 
-/// A piece is bisected unseen while the collocation point is nearer to its centre than this many radii of its
+/// A piece is divided unseen while the collocation point is nearer to its centre than this many radii of its
 /// ball.
 constexpr double admissible_ratio = 1.8;
 /// A whole element, whose samples are kept, counts as far down to this ratio.
@@ -24,7 +24,7 @@ constexpr int order_step = 3;
 /// A block whose two rules differ is tried again so often with the next finer ones.
 const WorkLimit most_tries("quadrature/element_integrator: tries with finer rules", 4, 1,
                            "the observers are integrated one by one");
-/// Each two bisections halve a piece; at this depth its corners are neighbouring doubles.
+/// Each two divisions halve a piece or more; at this depth its corners are neighbouring doubles.
 const WorkLimit deepest_bisection("quadrature/element_integrator: bisections", 104, 0,
                                   "all that the element may hold joins the radius");
 const WorkLimit most_pieces("quadrature/element_integrator: pieces", 5000, 0,

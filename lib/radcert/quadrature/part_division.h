@@ -13,11 +13,11 @@ namespace radcert {
 
 /// The parts into which a part of an element is divided where a point P is too near to it for a rule.
 /// Maths     a thin part is cut across its length alone: into slices between its two long sides, each halved
-///           until it is far from P or as short as wide, and then cut into two triangles;
-///           without a side across its length it is first cut at the foot of its height. Any other is
-///           bisected at its longest side. At the distance d from a part of length L and width w some
-///           log(L/w) + log(w/d) parts are left in the end, where bisection of longest sides alone, which
-///           keeps thin parts thin, leaves some L/w
+///           until it is far from P or as short as wide, and then cut into two triangles; without a side
+///           across its length it is first cut at the foot of its height. Any other is bisected at its
+///           longest side. At the distance d from a part of length L and width w some log(L/w) + log(w/d)
+///           parts are left in the end, where bisection of longest sides alone, which keeps thin parts thin,
+///           leaves some L/w
 /// Source    ours
 /// Limits    one thread at a time
 template <Real R>

@@ -9,6 +9,7 @@
 
 #include "radcert/closed_form/edge/corner_exponent.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/interrupt.h"
 #include "radcert/core/work_limit.h"
 
 namespace radcert {
@@ -17,6 +18,8 @@ namespace {
 const WorkLimit most_cells("closed_form/edge/corner_enclosure: cells of a face", 1024, 8,
                            "refused: the exponent is not enclosed to the radius");
 constexpr int fewest_cells = 64;
+/// Their table of integrals takes a gigabyte.
+constexpr int largest_cells = 4096;
 /// Into so many parts a cell is cut over which K f is enclosed.
 constexpr int parts_of_cell = 4;
 
@@ -125,7 +128,10 @@ public:
   CollatzQuotients(const std::array<Rational, 3>& reflectivities, const Rational& g, std::size_t cells)
       : kernel_(Ball(g), cells), cells_(cells) {
     for (std::size_t i = 0; i < 3; ++i) rho_.at(i) = Ball(reflectivities.at(i));
-    for (std::size_t k = 1; k <= cells; ++k) shares_.push_back(kernel_.shares(k));
+    for (std::size_t k = 1; k <= cells; ++k) {
+      throw_if_interrupted();
+      shares_.push_back(kernel_.shares(k));
+    }
     iterate();
   }
 
@@ -133,14 +139,18 @@ public:
     const std::size_t half = cells_ / 2;
     // Near the axis by balls, one for each part of a cell; beyond by sums at the nodes.
     std::vector<Received> near;
-    for (std::size_t k = 0; k < half; ++k)
+    for (std::size_t k = 0; k < half; ++k) {
+      throw_if_interrupted();
       for (int part = 0; part < parts_of_cell; ++part)
         near.push_back(kernel_.received(part_of(k, part), steps_));
+    }
     std::vector<Received> sums(cells_ + 1);
-    for (std::size_t k = half - 1; k <= cells_; ++k)
+    for (std::size_t k = half - 1; k <= cells_; ++k) {
+      throw_if_interrupted();
       for (std::size_t s = 0; s < steps_.size(); ++s)
         for (std::size_t m = 0; m < cells_; ++m)
           sums[k].at(s) = sums[k].at(s) + Ball(steps_.at(s)[m]) * shares_[k - 1][m];
+    }
     BallBounds out;
     bool is_first = true;
     for (std::size_t face = 0; face < 3; ++face) {
@@ -194,6 +204,7 @@ private:
     mirror();
     constexpr int iterations = 60;
     for (int step = 0; step < iterations; ++step) {
+      throw_if_interrupted();
       std::array<std::vector<double>, 6> nodes;
       for (std::size_t s = 0; s < 6; ++s) {
         const std::vector<double>& f = steps_.at(s);
@@ -245,7 +256,8 @@ BallBounds octant_spectral_bounds(const std::array<Rational, 3>& reflectivities,
                                   int cells) {
   require(reflectivities);
   expects(g > Rational(0) && g < Rational(1), "0 < g < 1", named("g", g.to_text()));
-  expects(cells >= 8 && cells % 2 == 0, "cells >= 8, even", named("cells", cells));
+  expects(8 <= cells && cells <= largest_cells && cells % 2 == 0, "8 <= cells <= 4096, even",
+          named("cells", cells));
   return CollatzQuotients(reflectivities, g, static_cast<std::size_t>(cells)).bounds();
 }
 

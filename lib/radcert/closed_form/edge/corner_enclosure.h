@@ -27,8 +27,8 @@ struct BallBounds {
 ///           Up to x = pi/4 K_g f is enclosed over the cells of f by balls, beyond by chords in y, above on a
 ///           cell itself and below on one beside it
 /// Source    ours; L. Collatz, Einschliessungssatz fuer die charakteristischen Zahlen von Matrizen, 1942
-/// Requires  0 < g < 1, reflectivities in (0, 1), cells >= 8, even, else ContractViolation
-/// Result    proved; with equal reflectivities the bounds are some 3/cells apart
+/// Requires  0 < g < 1, reflectivities in (0, 1), 8 <= cells <= 4096, even, else ContractViolation
+/// Result    proved; with equal reflectivities the bounds are some 3/cells to 5/cells apart
 /// Limits    the less one face reflects the wider, as f then falls steeply towards the axis of the two others
 [[nodiscard]] BallBounds octant_spectral_bounds(const std::array<Rational, 3>& reflectivities,
                                                 const Rational& g, int cells);

@@ -31,11 +31,7 @@ constexpr int lattice = 40;
 using Vector = Eigen::VectorXd;
 using EigenMatrix = Eigen::MatrixXd;
 
-struct Candidate {
-  std::vector<double> x;  ///< the weights of means, then s, then t
-  double norm = std::numeric_limits<double>::infinity();
-};
-
+/// Of candidates x are the weights of means, then s, then t.
 class Search {
 public:
   explicit Search(const FreeGoal& goal) : goal_(goal), count_(polynomial_dimension(goal.degree)) {
@@ -55,20 +51,24 @@ public:
     return solution(std::move(start));
   }
 
-  /// Random steps while they lead to a lesser norm, as those of symmetric nodes.
-  [[nodiscard]] Candidate improved(Candidate best, int steps, std::uint64_t seed) const {
-    std::mt19937_64 random(seed);
-    double size = 0.02;
-    for (int k = 0; k < steps && size > 1e-6; ++k) {
-      Candidate next = best;
-      for (std::size_t i = count_; i < 3 * count_; ++i) next.x[i] += size * (2 * uniform_number(random) - 1);
-      std::optional<Candidate> found = solution(std::move(next));
-      const bool is_better = found && found->norm < best.norm;
-      size *= is_better ? 1.5 : 0.92;
-      if (is_better) best = *std::move(found);
+  /// A solution with nodes inside, with its norm.
+  [[nodiscard]] std::optional<Candidate> solution(Candidate at) const {
+    const auto functions = [this](const std::vector<double>& x) { return evaluate(x); };
+    if (!damped_least_squares(at.x, functions, solved, most_iterations)) return std::nullopt;
+    std::vector<Barycentric<double>> points;
+    for (std::size_t j = 0; j < count_; ++j) {
+      const double s = at.x[count_ + j];
+      const double t = at.x[2 * count_ + j];
+      points.push_back({{1 - s - t, t, s}});
+      if (std::min({1 - s - t, t, s}) < least_distance) return std::nullopt;
     }
-    return best;
+    at.norm = norm_at(lattice_, goal_.degree, points);
+    if (!std::isfinite(at.norm)) return std::nullopt;
+    return at;
   }
+
+  /// How many weights stand in front of a candidate's coordinates.
+  [[nodiscard]] std::size_t weights() const { return count_; }
 
   /// To 60 digits; nothing where Newton's method does not come to them.
   [[nodiscard]] std::optional<FreeNodes> sharp(const Candidate& candidate) const {
@@ -126,22 +126,6 @@ private:
         // Half of the mean over the square [-1, 1]^2 is that over either triangle.
         out.values[row++] -= i % 2 == 0 ? 1.0 / ((k - i + 1) * (i + 1)) : 0.0;
     return out;
-  }
-
-  /// A solution with nodes inside, with its norm.
-  [[nodiscard]] std::optional<Candidate> solution(Candidate at) const {
-    const auto functions = [this](const std::vector<double>& x) { return evaluate(x); };
-    if (!damped_least_squares(at.x, functions, solved, most_iterations)) return std::nullopt;
-    std::vector<Barycentric<double>> points;
-    for (std::size_t j = 0; j < count_; ++j) {
-      const double s = at.x[count_ + j];
-      const double t = at.x[2 * count_ + j];
-      points.push_back({{1 - s - t, t, s}});
-      if (std::min({1 - s - t, t, s}) < least_distance) return std::nullopt;
-    }
-    at.norm = norm_at(lattice_, goal_.degree, points);
-    if (!std::isfinite(at.norm)) return std::nullopt;
-    return at;
   }
 
   /// For each number whether it is held: coordinates alone, one after the other, so that what remains is

@@ -42,12 +42,7 @@ constexpr int digits_of_free_nodes = 12;
 using Vector = Eigen::VectorXd;
 using EigenMatrix = Eigen::MatrixXd;
 
-/// Orbits in double.
-struct Candidate {
-  std::vector<double> x;  ///< one weight an orbit, then a for each of three, a and b for each of six
-  double norm = std::numeric_limits<double>::infinity();
-};
-
+/// Of candidates x are the weights, one an orbit, then a for each orbit of three, a and b for each of six.
 class Search {
 public:
   explicit Search(const SymmetricGoal& goal) : goal_(goal), structure_(orbit_structure(goal.degree)) {
@@ -74,22 +69,26 @@ public:
     return solution(std::move(start));
   }
 
-  /// Random steps from a solution, while they lead to a lesser norm: longer ones after each that does,
-  /// shorter ones after each that does not, so that about one in six does.
-  [[nodiscard]] Candidate improved(Candidate best, int steps, std::uint64_t seed) const {
-    std::mt19937_64 random(seed);
-    double size = 0.02;
-    for (int k = 0; k < steps && size > 1e-6; ++k) {
-      Candidate next = best;
-      for (std::size_t i = sizes_.size(); i < next.x.size(); ++i)
-        next.x[i] += size * (2 * uniform_number(random) - 1);
-      std::optional<Candidate> found = solution(std::move(next));
-      const bool is_better = found && found->norm < best.norm;
-      size *= is_better ? 1.5 : 0.92;
-      if (is_better) best = *std::move(found);
+  /// A solution as the goal wants it, with its norm.
+  [[nodiscard]] std::optional<Candidate> solution(Candidate at) const {
+    const auto functions = [this](const std::vector<double>& x) { return evaluate(x); };
+    if (!damped_least_squares(at.x, functions, solved, most_iterations)) return std::nullopt;
+    const auto weights_end = at.x.begin() + static_cast<std::ptrdiff_t>(sizes_.size());
+    if (goal_.positive && *std::min_element(at.x.begin(), weights_end) < least_weight / node_count())
+      return std::nullopt;
+    std::vector<Barycentric<double>> points;
+    for (const Node& node : nodes(at.x)) {
+      points.push_back({{node.x[0].value, node.x[1].value, node.x[2].value}});
+      if (*std::min_element(points.back().x.begin(), points.back().x.end()) < least_distance)
+        return std::nullopt;
     }
-    return best;
+    at.norm = norm_at(lattice_, goal_.degree, points);
+    if (!std::isfinite(at.norm)) return std::nullopt;
+    return at;
   }
+
+  /// How many weights stand in front of a candidate's coordinates.
+  [[nodiscard]] std::size_t weights() const { return sizes_.size(); }
 
   /// With the free numbers held, to 60 digits; nothing where Newton's method does not come to them.
   [[nodiscard]] std::optional<SymmetricNodes> sharpened(const Candidate& candidate) const {
@@ -178,24 +177,6 @@ private:
       place += sizes_[orbit] == 1 ? 0 : sizes_[orbit] == 3 ? 1 : 2;
     }
     return out;
-  }
-
-  /// A solution as the goal wants it, with its norm.
-  [[nodiscard]] std::optional<Candidate> solution(Candidate at) const {
-    const auto functions = [this](const std::vector<double>& x) { return evaluate(x); };
-    if (!damped_least_squares(at.x, functions, solved, most_iterations)) return std::nullopt;
-    const auto weights_end = at.x.begin() + static_cast<std::ptrdiff_t>(sizes_.size());
-    if (goal_.positive && *std::min_element(at.x.begin(), weights_end) < least_weight / node_count())
-      return std::nullopt;
-    std::vector<Barycentric<double>> points;
-    for (const Node& node : nodes(at.x)) {
-      points.push_back({{node.x[0].value, node.x[1].value, node.x[2].value}});
-      if (*std::min_element(points.back().x.begin(), points.back().x.end()) < least_distance)
-        return std::nullopt;
-    }
-    at.norm = norm_at(lattice_, goal_.degree, points);
-    if (!std::isfinite(at.norm)) return std::nullopt;
-    return at;
   }
 
   /// For each orbit whether its a is held: what remains is to determine the others as well as can be.
