@@ -41,8 +41,8 @@ endif()
 set(RADCERT_SANITIZERS)
 if(RADCERT_SANITIZE STREQUAL "thread")
   set(RADCERT_SANITIZERS -fsanitize=thread)
-  # The sanitizer takes no account of fences, such as those in the headers of oneTBB; parallel.cpp says in their place
-  # what happens before what.
+  # The sanitizer takes no account of fences, such as those in the headers of oneTBB, in whose place parallel.cpp has
+  # threads of its own then.
   add_compile_options($<$<CXX_COMPILER_ID:GNU>:-Wno-tsan>)
 elseif(RADCERT_SANITIZE MATCHES "^(address|ON|on|TRUE|1)$")
   set(RADCERT_SANITIZERS -fsanitize=address,undefined -fno-sanitize-recover=all)

@@ -42,7 +42,8 @@ struct BallBounds {
 /// Source    ours
 /// Requires  reflectivities as above, 0 < radius < 1, else ContractViolation
 /// Result    a ball of this radius, but for a rounding, proved; or why not: an exponent nearer than it to 0
-///           or 1, or more than 1024 cells, which is below about 1/1000
+///           or 1, or more than 1024 cells. They suffice for 1/1000 where all three reflectivities are 1/2,
+///           for 1/400 where they are 9/10 or 99/100
 [[nodiscard]] Outcome<Ball> enclosed_octant_exponent(const std::array<Rational, 3>& reflectivities,
                                                      const Rational& radius);
 
