@@ -39,8 +39,8 @@ std::vector<std::string> names_in(const std::filesystem::path& folder) {
   return out;
 }
 
-/// Computes for ever, without a look at the flag. The thread sanitizer delivers signals at calls of the system,
-/// such as that for the time.
+/// Computes for ever, without a look at the flag. The thread sanitizer delivers signals at calls of the
+/// system, such as that for the time.
 [[noreturn]] void compute_on() {
   volatile unsigned steps = 0;
   while (true) steps = steps + (std::chrono::steady_clock::now().time_since_epoch().count() > 0 ? 1 : 2);
