@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
+#include <string>
 
 #include "radcert/closed_form/edge/corner_exponent.h"
 #include "radcert/core/errors.h"
@@ -64,6 +66,19 @@ TEST(EnclosedOctantExponent, ContainsTheEstimate) {
   }
 }
 
+TEST(OctantSpectralBounds, AreTheWholeLineWhereBallsDoNotTell) {
+  const Rational half(1, 2);
+  const Rational almost_one = Rational(1) - Rational(1) / power(Rational(10), 60);
+  const BallBounds bounds = octant_spectral_bounds({half, half, half}, almost_one, 8);
+  EXPECT_EQ(bounds.upper.upper_double(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(bounds.lower.lower_double(), -std::numeric_limits<double>::infinity());
+}
+
+TEST(EnclosedOctantExponent, TakesReflectivitiesThatRoundToOne) {
+  const Rational almost_one = Rational(1) - Rational(1) / power(Rational(10), 30);
+  EXPECT_TRUE(enclosed_octant_exponent({almost_one, almost_one, almost_one}, Rational(1, 50)));
+}
+
 TEST(EnclosedOctantExponent, RefusesWhatItCannot) {
   const Rational little(1, 100);
   const Outcome<Ball> near_one = enclosed_octant_exponent({little, little, little}, Rational(1, 20));
@@ -73,6 +88,8 @@ TEST(EnclosedOctantExponent, RefusesWhatItCannot) {
                ContractViolation);
   EXPECT_THROW(static_cast<void>(octant_spectral_bounds({little, little, little}, Rational(1), 8)),
                ContractViolation);
+  EXPECT_FALSE(enclosed_octant_exponent({Rational(1, 2), Rational(1, 2), Rational(1, 2)},
+                                        Rational(1) / power(Rational(10), 9)));
   EXPECT_THROW(static_cast<void>(octant_spectral_bounds({little, little, little}, Rational(1, 2), 9)),
                ContractViolation);
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "radcert/surface/catalogue/box.h"
+#include "radcert/surface/catalogue/cylinder.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/two_piece.h"
@@ -65,11 +66,26 @@ TEST(ElementIntegrator, RowsSumToPiBesideAnEdge) {
   expect_pi(surface, 1, {1e-6, 1e-6}, 1, 1, 1e-6, 1e-9);
 }
 
+/// How far a value of a thin triangle is off against its radius: the largest of all functions.
+double largest_share_of_the_radius(const Surface& surface, const ParameterTriangle& triangle,
+                                   const SurfacePoint<double>& at) {
+  const InsetBasis<double> basis(1, 0.1);
+  const ElementIntegral<double> value =
+      ElementIntegrator<double>(surface, triangle, basis).integrate(collocation_point<double>(surface, at));
+  const SurfacePoint<Mpfr<50>> exactly{at.chart, {Mpfr<50>(at.at.s), Mpfr<50>(at.at.t)}};
+  const ElementIntegral<Mpfr<50>> exact =
+      ElementIntegrator<Mpfr<50>>(surface, triangle, InsetBasis<Mpfr<50>>(1, Mpfr<50>(0.1)), Tolerance(1e-20))
+          .integrate(collocation_point<Mpfr<50>>(surface, exactly));
+  double largest = 0;
+  for (std::size_t j = 0; j < basis.size(); ++j) {
+    const Mpfr<50> off = abs(Mpfr<50>(value.value[j]) - exact.value[j]);
+    largest = std::max(largest, nearest_double<Mpfr<50>>(off) / value.radius[j]);
+  }
+  return largest;
+}
+
 TEST(ElementIntegrator, ThinElementsAwayFromTheOriginAreWithinTheirRadii) {
   // Corners of parts are rounded by 1e-16, which of their widths is as much as 1e-9: their areas must not be.
-  const Surface surface = cube();
-  const InsetBasis<double> basis(1, 0.1);
-  const InsetBasis<Mpfr<50>> exact_basis(1, Mpfr<50>(0.1));
   Stream stream(5);
   for (int k = 0; k < 12; ++k) {
     const double width = std::pow(10, -3 - k % 5);
@@ -77,20 +93,31 @@ TEST(ElementIntegrator, ThinElementsAwayFromTheOriginAreWithinTheirRadii) {
     const ParameterTriangle triangle{0, {{{1 - width, begin}, {1, begin}, {1 - width, begin + 0.3}}}};
     const std::size_t chart = 2 + stream.index(4);
     const double near = 0.1 * std::pow(10, -2 * stream.uniform());
-    const std::array<double, 2> at =
-        k % 2 == 0 ? std::array{near, stream.uniform()} : std::array{stream.uniform(), 1 - near};
-    const ElementIntegral<double> value =
-        ElementIntegrator<double>(surface, triangle, basis)
-            .integrate(collocation_point<double>(surface, {chart, {at[0], at[1]}}));
-    const ElementIntegral<Mpfr<50>> exact =
-        ElementIntegrator<Mpfr<50>>(surface, triangle, exact_basis, Tolerance(1e-20))
-            .integrate(collocation_point<Mpfr<50>>(surface, {chart, {Mpfr<50>(at[0]), Mpfr<50>(at[1])}}));
-    for (std::size_t j = 0; j < basis.size(); ++j) {
-      const Mpfr<50> off = abs(Mpfr<50>(value.value[j]) - exact.value[j]);
-      EXPECT_LE(nearest_double<Mpfr<50>>(off), value.radius[j] + nearest_double<Mpfr<50>>(exact.radius[j]))
-          << width << " chart " << chart << " at " << at[0] << " " << at[1];
-      EXPECT_LE(value.radius[j], 1e-16 + 1e-9 * value.absolute);
-    }
+    const ParameterPoint<double> at = k % 2 == 0 ? ParameterPoint<double>{near, stream.uniform()}
+                                                 : ParameterPoint<double>{stream.uniform(), 1 - near};
+    EXPECT_LE(largest_share_of_the_radius(cube(), triangle, {chart, at}), 1)
+        << width << " chart " << chart << " at " << at.s << " " << at.t;
+  }
+}
+
+TEST(ElementIntegrator, ThinElementsInAnyDirectionAreWithinTheirRadii) {
+  for (const double width : {1e-3, 1e-5, 1e-8, 1e-12}) {
+    const ParameterTriangle triangle{0, {{{0.1, 0.2}, {0.8, 0.7}, {0.45 - width / 2, 0.45 + 0.7 * width}}}};
+    EXPECT_LE(largest_share_of_the_radius(cube(), triangle, {2, {0.3, 0.4}}), 0.2) << width;
+  }
+}
+
+TEST(ElementIntegrator, ThinElementsAboutThePointAreWithinTheirRadii) {
+  const Surface surface = cylinder(1, 1);
+  std::size_t curved = 0;
+  while (surface.charts[curved].facts().plane) ++curved;
+  for (const double width : {1e-2, 1e-4, 1e-6}) {
+    const ParameterTriangle triangle{curved,
+                                     {{{0.1, 0.2}, {0.8, 0.7}, {0.45 - width / 2, 0.45 + 0.7 * width}}}};
+    // Inside, and beside it on the same chart.
+    EXPECT_LE(largest_share_of_the_radius(surface, triangle, {curved, triangle.at({0.6, 0.1, 0.3})}), 1)
+        << width;
+    EXPECT_LE(largest_share_of_the_radius(surface, triangle, {curved, {0.43, 0.47}}), 1) << width;
   }
 }
 

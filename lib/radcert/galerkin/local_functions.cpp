@@ -21,8 +21,7 @@ Matrix<double> mass(const Surface& surface, const ParameterTriangle& triangle, i
                     const SurfaceWeight& weight, int order) {
   const std::size_t count = mode_count(degree);
   const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
-  const auto& v = triangle.vertices;
-  const double parallelogram = cross(v[1] - v[0], v[2] - v[0]);
+  const double parallelogram = triangle.doubled_area();
   const ChartIn<double>& chart = surface.charts[triangle.chart].in<double>();
   Matrix<double> out(count, count);
   std::vector<double> modes(count);

@@ -137,14 +137,13 @@ struct SurfaceSample {
 
 SurfaceSample sample_at(const Surface& surface, const ParameterTriangle& element,
                         const Barycentric<double>& x) {
-  const auto& v = element.vertices;
   const ParameterPoint<double> at = element.at(x.x);
   const Frame<double> frame = surface.charts[element.chart].in<double>().frame(at);
   const double area = area_element(frame);
   return {.at = at,
           .point = frame.point,
           .normal = (1 / area) * frame.area_normal,
-          .area = cross(v[1] - v[0], v[2] - v[0]) * area};
+          .area = element.doubled_area() * area};
 }
 
 double largest_coordinate(const Vector<double>& p) {

@@ -21,6 +21,10 @@ constexpr double admissible_ratio_of_whole = 1.35;
 /// FarBounds are too wide.
 constexpr double admissible_ratio_of_block = 2.5;
 constexpr int order_step = 3;
+/// Parameters of P on another chart come from an iteration.
+constexpr double parameter_roundings = 64;
+/// From this loss on nothing is known of the element but that it holds no more than a hemisphere.
+constexpr double lost_parameters = 0x1p-6;
 /// A block whose two rules differ is tried again so often with the next finer ones.
 const WorkLimit most_tries("quadrature/element_integrator: tries with finer rules", 4, 1,
                            "the observers are integrated one by one");
@@ -40,6 +44,21 @@ R largest_coordinate(const Vector<R>& p) {
   return std::max({abs(p.x), abs(p.y), abs(p.z)});
 }
 
+/// Of a thin element, what its parameters and those of P are off by against its width: they are at most 1.
+template <Real R>
+R loss_of_parameters(const ElementPart<R>& element) {
+  using std::abs;
+  using std::sqrt;
+  R longest = R(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ParameterPoint<R> side = element.vertices[(i + 1) % 3] - element.vertices[i];
+    longest = std::max(longest, static_cast<R>(sqrt(side.s * side.s + side.t * side.t)));
+  }
+  const R width = abs(element.doubled_area) / longest;
+  if (!(width < longest / R(8))) return R(0);
+  return R(parameter_roundings) * unit_roundoff<R>() / width;
+}
+
 }  // namespace
 
 template <Real R>
@@ -51,6 +70,7 @@ ElementIntegrator<R>::ElementIntegrator(std::shared_ptr<const IntegrationScheme<
       element_(whole_element<R>(triangle)),
       ball_(ball_about(element_)),
       shape_(shape_of(element_)),
+      parameter_loss_(loss_of_parameters(element_)),
       extent_(largest_coordinate(ball_.centre) + ball_.radius),
       kept_(ConicalRules<R>::largest_order + 1) {}
 
@@ -207,6 +227,18 @@ ElementIntegral<R> ElementIntegrator<R>::with_radius(const CheckedSums<R>& check
   return result;
 }
 
+/// As integrate_around has it. Where the element is thin, the rounding of parameters, P's above all, moves
+/// what it holds by as much as it is of the width.
+template <Real R>
+ElementIntegral<R> ElementIntegrator<R>::around(const CollocationPoint<R>& p) const {
+  CheckedSums<R> sums = integrate_around(p, chart_, element_, shape_, basis(), scheme_->tolerance());
+  if (!(parameter_loss_ < R(lost_parameters))) sums.complete = false;
+  ElementIntegral<R> result = with_radius(sums);
+  for (std::size_t j = 0; j < basis().size(); ++j)
+    result.radius[j] += parameter_loss_ * result.absolute * scheme_->largest_value(j);
+  return result;
+}
+
 template <Real R>
 bool ElementIntegrator<R>::is_near(const Vector<R>& p) const {
   return norm(p - ball_.centre) < R(admissible_ratio_of_whole) * ball_.radius;
@@ -216,17 +248,16 @@ template <Real R>
 ElementIntegral<R> ElementIntegrator<R>::integrate(const CollocationPoint<R>& p) {
   if (scheme_->in_plane(p.at.chart, chart_index_)) return {};
   const Chart& own = scheme_->surface().charts[p.at.chart];
-  const Tolerance& tolerance = scheme_->tolerance();
   if (p.at.chart == chart_index_) {
     if (contains(element_, p.at.at) || (chart_.facts().singular == SingularLine::none && is_near(p.point)))
-      return with_radius(integrate_around(p, chart_, element_, shape_, basis(), tolerance));
+      return around(p);
   } else if (scheme_->surface().charts_join_smoothly && own.facts().piece == chart_.facts().piece &&
              norm(p.point - ball_.centre) < R(2) * ball_.radius) {
     const auto at = parameters_on(chart_, element_, p.point, extent_);
     if (at && (contains(element_, *at) || (shape_.unevenness < uneven_for_few_points && is_near(p.point)))) {
       CollocationPoint<R> seen = p;
       seen.at = {chart_index_, *at};
-      return with_radius(integrate_around(seen, chart_, element_, shape_, basis(), tolerance));
+      return around(seen);
     }
   }
   return with_radius(integrate_away(p));

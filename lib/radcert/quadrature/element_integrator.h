@@ -95,6 +95,7 @@ private:
   BoundingBall ball_about(const ElementPart<R>& cell) const;
   ElementShape shape_of(const ElementPart<R>& cell) const;
   bool is_near(const Vector<R>& p) const;
+  ElementIntegral<R> around(const CollocationPoint<R>& p) const;
   /// The largest coordinate in the bounds of rounding, for points within `reach` of P.
   R extent_for(const R& coordinate, std::size_t chart_of_p, const R& reach) const;
   const Samples<R>& kept(int order);
@@ -123,6 +124,7 @@ private:
   ElementPart<R> element_;
   BoundingBall ball_;
   ElementShape shape_;
+  R parameter_loss_{};  ///< relative, of integrals around P; 0 but for thin elements
   R extent_{};
   std::optional<FarView<R>> view_;
   std::vector<Piece> pending_;

@@ -15,7 +15,7 @@ constexpr double across = 2;
 /// The foot of a height is rounded to a multiple of a power of two: at most the height, in shares of the
 /// longest side, and between these.
 constexpr int coarsest_step = -4;
-constexpr int finest_step = -40;
+constexpr int finest_step = -52;
 /// A slice is far whose middle lies so many times its length away: its triangles have a rule then.
 constexpr double far_lengths = 1.8;
 /// No slice shorter than this share of the way is halved.

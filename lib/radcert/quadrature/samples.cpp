@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/quadrature/samples.h"
 
+#include <concepts>
+
 #include "radcert/core/contract.h"
 #include "radcert/core/lazy_table.h"
 #include "radcert/polynomial/basis_limits.h"
@@ -56,7 +58,10 @@ ElementPart<R> whole_element(const ParameterTriangle& triangle) {
     cell.corners[i].x = {R(0), R(0), R(0)};
     cell.corners[i].x[i] = R(1);
   }
-  cell.doubled_area = cross(cell.vertices[1] - cell.vertices[0], cell.vertices[2] - cell.vertices[0]);
+  if constexpr (std::same_as<R, double>)
+    cell.doubled_area = triangle.doubled_area();
+  else
+    cell.doubled_area = cross(cell.vertices[1] - cell.vertices[0], cell.vertices[2] - cell.vertices[0]);
   return cell;
 }
 

@@ -92,8 +92,7 @@ std::vector<std::pair<std::string, Approximation>> piece_means(const ComputedFun
   const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
   const auto sums = piece_sums<2>(u_n, [&](const auto& value, std::size_t k) {
     const ParameterTriangle& triangle = u_n.triangulation.triangles[k];
-    const auto& v = triangle.vertices;
-    const double parallelogram = cross(v[1] - v[0], v[2] - v[0]);
+    const double parallelogram = triangle.doubled_area();
     const ChartIn<double>& chart = u_n.surface.charts[triangle.chart].in<double>();
     std::array<double, 2> found{};
     auto& [area, integral] = found;

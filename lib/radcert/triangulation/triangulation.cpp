@@ -6,6 +6,7 @@
 
 #include "radcert/core/checked.h"
 #include "radcert/core/contract.h"
+#include "radcert/scalar/double_double.h"
 
 namespace radcert {
 namespace {
@@ -53,6 +54,13 @@ ParameterTriangle child_of(const ParameterTriangle& triangle, std::size_t c) {
     case 2: return {triangle.chart, {m31, m23, v3}};
     default: return {triangle.chart, {m23, m31, m12}};
   }
+}
+
+double ParameterTriangle::doubled_area() const {
+  const auto& [a, b, c] = vertices;
+  const DoubleDouble area =
+      exact_sum(b.s, -a.s) * exact_sum(c.t, -a.t) - exact_sum(b.t, -a.t) * exact_sum(c.s, -a.s);
+  return area.head + area.tail;
 }
 
 ParameterTriangle descendant_of(const ParameterTriangle& triangle, int levels, std::size_t number) {

@@ -24,6 +24,8 @@ struct ParameterTriangle {
   ParameterPoint<double> at(const std::array<double, 3>& x) const {
     return x[0] * vertices[0] + x[1] * vertices[1] + x[2] * vertices[2];
   }
+  /// Twice the area, to a rounding of its own size, however thin the triangle is.
+  [[nodiscard]] double doubled_area() const;
 };
 
 /// How the coarse triangulation is cut and the refined one graded.

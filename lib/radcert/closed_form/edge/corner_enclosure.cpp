@@ -133,6 +133,10 @@ public:
       shares_.push_back(kernel_.shares(k));
     }
     iterate();
+    // Any positive steps do.
+    for (std::vector<double>& steps : steps_)
+      for (double& step : steps)
+        if (!(step > 0 && step < 1e100)) step = 1;
   }
 
   [[nodiscard]] BallBounds bounds() const {
@@ -197,7 +201,7 @@ private:
     for (std::size_t k = 1; k <= n; ++k) {
       sine.push_back(kernel_.arc().sine[k].to_double());
       std::vector<double> row;
-      for (const Ball& share : shares_[k - 1]) row.push_back(share.to_double());
+      for (const Ball& share : shares_[k - 1]) row.push_back(share.is_finite() ? share.to_double() : 0);
       shares.push_back(std::move(row));
     }
     for (std::size_t face = 0; face < 3; ++face) steps_.at(face).assign(n, 1);
@@ -266,19 +270,23 @@ Outcome<Ball> enclosed_octant_exponent(const std::array<Rational, 3>& reflectivi
   require(reflectivities);
   expects(radius > Rational(0) && radius < Rational(1), "0 < radius < 1", named("radius", radius.to_text()));
   std::array<double, 3> rounded{};
-  for (std::size_t i = 0; i < 3; ++i) rounded.at(i) = reflectivities.at(i).to_double();
+  for (std::size_t i = 0; i < 3; ++i) rounded.at(i) = std::min(reflectivities.at(i).to_double(), 1 - 0x1p-53);
   const Rational near = Rational::exactly(octant_exponent(rounded).value);
   const Rational low = near - radius;
   const Rational high = near + radius;
   if (!(low > Rational(0) && high < Rational(1)))
     return because("the exponent is nearer to 0 or 1 than the radius");
   const Ball one(1);
+  const auto refused = [] {
+    return because("the radius needs more than " + std::to_string(most_cells.value()) + " cells");
+  };
+  if (radius < Rational(1) / power(Rational(10), 6)) return refused();
   for (int cells = fewest_cells; cells <= most_cells.value(); cells *= 2) {
     if (certainly_less(octant_spectral_bounds(reflectivities, low, cells).upper, one) &&
         certainly_less(one, octant_spectral_bounds(reflectivities, high, cells).lower))
       return hull(Ball(low), Ball(high));
   }
-  return because("the radius needs more than " + std::to_string(most_cells.value()) + " cells");
+  return refused();
 }
 
 }  // namespace radcert

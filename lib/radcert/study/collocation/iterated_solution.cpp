@@ -76,9 +76,7 @@ void describe_means(const NodedSurface& level, std::span<const IteratedValue> va
   double square = 0;
   for (std::size_t k = 0; k < level.triangulation.triangles.size(); ++k) {
     const ParameterTriangle& triangle = level.triangulation.triangles[k];
-    const double half_parallelogram = std::abs(cross(triangle.vertices[1] - triangle.vertices[0],
-                                                     triangle.vertices[2] - triangle.vertices[0])) /
-                                      2;
+    const double half_parallelogram = std::abs(triangle.doubled_area()) / 2;
     const ChartIn<double>& chart = level.surface.charts[triangle.chart].in<double>();
     OfPiece& piece = by_piece[level.surface.piece_of(triangle.chart)];
     for (std::size_t j = 0; j < weights.size(); ++j) {

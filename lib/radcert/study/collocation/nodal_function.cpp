@@ -23,8 +23,7 @@ struct Moments {
 
 Moments moments(const NodalFunction& u_n, std::size_t k, const TriangleRule<double>& rule) {
   const ParameterTriangle& triangle = u_n.triangulation().triangles[k];
-  const auto& v = triangle.vertices;
-  const double parallelogram = cross(v[1] - v[0], v[2] - v[0]);
+  const double parallelogram = triangle.doubled_area();
   const ChartIn<double>& chart = u_n.surface().charts[triangle.chart].in<double>();
   Moments found;
   std::array<double, most_basis_functions> values{};

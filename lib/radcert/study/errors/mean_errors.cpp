@@ -20,8 +20,7 @@ std::vector<Sums> over_pieces(const ComputedFunction& u_n, const SurfaceFunction
   const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
   return piece_sums<4>(u_n, [&](const auto& value, std::size_t k) {
     const ParameterTriangle& triangle = u_n.triangulation.triangles[k];
-    const auto& v = triangle.vertices;
-    const double parallelogram = cross(v[1] - v[0], v[2] - v[0]);
+    const double parallelogram = triangle.doubled_area();
     const ChartIn<double>& chart = u_n.surface.charts[triangle.chart].in<double>();
     Sums sums{};
     auto& [area, square, difference, size] = sums;

@@ -202,8 +202,7 @@ private:
     std::size_t place = 0;
     for (std::size_t k = 0; k < triangulation_.triangles.size(); ++k) {
       const ParameterTriangle& triangle = triangulation_.triangles[k];
-      const auto& v = triangle.vertices;
-      const double parallelogram = cross(v[1] - v[0], v[2] - v[0]);
+      const double parallelogram = triangle.doubled_area();
       const ChartIn<double>& chart = surface_.charts[triangle.chart].in<double>();
       for (std::size_t q = 0; q < rule.weights.size(); ++q) {
         const ParameterPoint<double> at = triangle.at(rule.points[q].x);
