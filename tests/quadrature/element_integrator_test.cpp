@@ -108,17 +108,22 @@ TEST(ElementIntegrator, ThinElementsInAnyDirectionAreWithinTheirRadii) {
 }
 
 TEST(ElementIntegrator, ThinElementsAboutThePointAreWithinTheirRadii) {
+  // Found by search: the width is 3.6e-7 and 6.6e-7, P lies inside and on the chart beside it.
   const Surface surface = cylinder(1, 1);
-  std::size_t curved = 0;
-  while (surface.charts[curved].facts().plane) ++curved;
-  for (const double width : {1e-2, 1e-4, 1e-6}) {
-    const ParameterTriangle triangle{curved,
-                                     {{{0.1, 0.2}, {0.8, 0.7}, {0.45 - width / 2, 0.45 + 0.7 * width}}}};
-    // Inside, and beside it on the same chart.
-    EXPECT_LE(largest_share_of_the_radius(surface, triangle, {curved, triangle.at({0.6, 0.1, 0.3})}), 1)
-        << width;
-    EXPECT_LE(largest_share_of_the_radius(surface, triangle, {curved, {0.43, 0.47}}), 1) << width;
-  }
+  EXPECT_LE(largest_share_of_the_radius(surface,
+                                        {11,
+                                         {{{0.83906112611293793, 0.518022820353508},
+                                           {0.98519077897071838, 0.66415251791477203},
+                                           {0.83652360737323761, 0.51548540592193604}}}},
+                                        {11, {0.85853336053964291, 0.53749440397870873}}),
+            1);
+  EXPECT_LE(largest_share_of_the_radius(surface,
+                                        {9,
+                                         {{{0.99999933775880834, 0.0078879091820585057},
+                                           {1, 0.0078879091820585057},
+                                           {0.99999933775880834, 0.12496101857488498}}}},
+                                        {8, {0.99999607313511385, 0.0078807759399423961}}),
+            1);
 }
 
 TEST(ElementIntegrator, RowsSumToPiInThinBoxesWithinTheirRadii) {
