@@ -10,9 +10,9 @@ import unittest
 from page import ROOT, PageTest, commands, read
 from program import EXAMPLES
 
-# 02, 04 and 06 have tests of their own.
+# 02, 04, 06 and 15 have tests of their own.
 EXAMPLE_PAGES = ["01_solve", "03_own_surface", "05_own_claim", "07_occluded_room", "08_factors_of_an_stl",
-                 "09_other_languages", "10_edges", "11_anywhere", "12_events", "13_galerkin"]
+                 "09_other_languages", "10_edges", "11_anywhere", "12_events", "13_galerkin", "14_new_nodes"]
 
 
 class Examples(PageTest):

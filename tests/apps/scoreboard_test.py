@@ -10,17 +10,20 @@ from html.parser import HTMLParser
 
 import jsonschema
 
-from program import ProgramTest
+from page import PageTest, read
+from program import EXAMPLES
 
 ERRORS = ["max_error", "l2_error", "mean_error"]
 
 
-class Scoreboard(ProgramTest):
+class Scoreboard(PageTest):
     def content(self, name):
         with open(self.path(name), newline="", encoding="utf-8") as file:
             return file.read()
 
     def test_it_is_whole_and_marks_what_nothing_beats(self):
+        self.follow(read(os.path.join(EXAMPLES, "15_scoreboard", "README.md")))
+        # From what the page's run has kept.
         table = self.expect(0, "experiment", "scoreboard", "--finest", "1", "--out", "board")
         board = json.loads(self.content("board/scoreboard.json"))
         jsonschema.validate(board, json.loads(self.expect(0, "schema", "scoreboard")))

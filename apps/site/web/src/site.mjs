@@ -38,6 +38,8 @@ export const groups = [
     example("11_anywhere", "Anywhere on the surface"),
     example("12_events", "Visibility events"),
     example("13_galerkin", "Galerkin's method"),
+    example("14_new_nodes", "New nodes"),
+    example("15_scoreboard", "The scoreboard"),
     { name: "gallery.html", made: "gallery", title: "Gallery" },
     { name: "tutorials/pictures.html", from: "apps/examples/pictures/README.md", short: "About the pictures" },
   ] },
