@@ -9,6 +9,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/lazy_table.h"
+#include "radcert/factors/exchange_area.h"
 #include "radcert/galerkin/touching_rule.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/kernel/rounded_kernel.h"
@@ -97,6 +98,35 @@ double relative_distance(const Place& of, const Place& from_centre_of) {
   return distance / from_centre_of.radius;
 }
 
+double largest_coordinate(const Vector<double>& p) {
+  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+}
+
+/// A plane element, with what rounded corners may add to what it exchanges with another.
+/// Maths     A F is the flux through the contour. A corner that is off by delta moves it by a strip of an
+///           area of at most delta times the perimeter, which the other element sees under F <= 1
+struct Facet {
+  FacetCorners corners;
+  double lean = 0;
+};
+
+Facet facet_of(const Surface& surface, const ParameterTriangle& element) {
+  const ChartIn<double>& chart = surface.charts[element.chart].in<double>();
+  Facet facet;
+  double extent = 0;
+  for (const ParameterPoint<double>& vertex : element.vertices) {
+    facet.corners.push_back(chart.frame(vertex).point);
+    extent = std::max(extent, largest_coordinate(facet.corners.back()));
+  }
+  if (dot(vector_area(facet.corners), chart.frame(element.vertices[0]).area_normal) < 0)
+    std::swap(facet.corners[1], facet.corners[2]);
+  double perimeter = 0;
+  for (std::size_t i = 0; i < 3; ++i) perimeter += norm(facet.corners[(i + 1) % 3] - facet.corners[i]);
+  constexpr double over_root_three = 2;
+  facet.lean = over_root_three * blur_per_extent * extent * perimeter;
+  return facet;
+}
+
 /// The places of the vertices of two triangles, those in common first and in the same order.
 struct Contact {
   std::size_t common = 0;
@@ -144,10 +174,6 @@ SurfaceSample sample_at(const Surface& surface, const ParameterTriangle& element
           .point = frame.point,
           .normal = (1 / area) * frame.area_normal,
           .area = element.doubled_area() * area};
-}
-
-double largest_coordinate(const Vector<double>& p) {
-  return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
 
 /// The points of a rule on a triangle in an element as structure of arrays, padded to whole packs with points
@@ -267,18 +293,23 @@ public:
       plane_of_.push_back(same == first_of_plane.end() ? a : *same);
       if (plane_of_.back() == a && surface.charts[a].facts().plane) first_of_plane.push_back(a);
     }
+    if (functions.functions() > 1) return;
+    facets_.resize(triangulation.triangles.size());
+    for (std::size_t k = 0; k < facets_.size(); ++k)
+      if (is_plane(k)) facets_[k] = facet_of(surface, triangulation.triangles[k]);
   }
 
   [[nodiscard]] bool vanishes(std::size_t first, std::size_t second) const {
     const std::size_t a = triangulation_.triangles[first].chart;
     const std::size_t b = triangulation_.triangles[second].chart;
-    return surface_.charts[a].facts().plane.has_value() && plane_of_[a] == plane_of_[b];
+    return is_plane(first) && plane_of_[a] == plane_of_[b];
   }
 
   [[nodiscard]] PairBlock block(std::size_t first, std::size_t second) const {
     const std::size_t p = functions_.functions();
     PairBlock out{Matrix<double>(p, p), Matrix<double>(p, p)};
     if (vanishes(first, second)) return out;
+    if (p == 1 && is_plane(first) && is_plane(second)) return of_constants(first, second);
     const Contact contact = contact_of(places_[first], places_[second]);
     const auto at_stage = [&](std::size_t stage) {
       if (contact.common > 0) return touching(first, second, contact, stage);
@@ -310,6 +341,22 @@ public:
 
 private:
   static constexpr double far_enough = 1.5;
+
+  [[nodiscard]] bool is_plane(std::size_t element) const {
+    return surface_.charts[triangulation_.triangles[element].chart].facts().plane.has_value();
+  }
+
+  /// Of two plane elements whose only functions are constants: A_1 F_12 in closed form along the edges.
+  [[nodiscard]] PairBlock of_constants(std::size_t first, std::size_t second) const {
+    const Facet& from = facets_[first];
+    const Facet& to = facets_[second];
+    const Approximation area = exchange_area(from.corners, to.corners);
+    const double psi = functions_.coefficients(first)(0, 0) * functions_.coefficients(second)(0, 0);
+    PairBlock out{Matrix<double>(1, 1), Matrix<double>(1, 1)};
+    out.value(0, 0) = psi * area.value;
+    out.radius(0, 0) = std::abs(psi) * (area.radius + from.lean + to.lean + 4 * unit * area.value);
+    return out;
+  }
 
   struct Part {
     std::size_t element;
@@ -493,6 +540,7 @@ private:
   std::vector<double> largest_;  ///< of the functions of the basis
   std::vector<Place> places_;
   std::vector<std::size_t> plane_of_;  ///< by chart: the first chart in the same plane
+  std::vector<Facet> facets_;          ///< of plane elements, for constants
   mutable std::vector<LazyTable<RulePoints, most_kept>> kept_;
   mutable LazyTable<std::vector<PointPair>, 3 * rules_of_a_contact> rules_;
 };

@@ -24,7 +24,8 @@ struct PairBlock {
 };
 
 /// The integrals of the kernel over pairs of elements.
-/// Maths     pairs that touch: touching_rule, by chords where both are of one chart. Others: products of
+/// Maths     two plane elements with constants: the closed form of exchange_area along their edges. Other
+///           pairs that touch: touching_rule, by chords where both are of one chart. Others: products of
 ///           conical Gauss rules, of orders by the distance of each element from the other's centre in terms
 ///           of its radius: where f continues to an ellipse of semi-axes eta and sqrt(eta^2 - 1), n points
 ///           leave out about rho^(d - 2n), rho = eta + sqrt(eta^2 - 1). The larger of two elements that are
