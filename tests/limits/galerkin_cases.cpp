@@ -10,12 +10,13 @@
 namespace radcert::limits {
 namespace {
 
-/// Every block of the lowest degree on a thin box, whose faces nearly touch.
+/// The first entries of the blocks of degree 1 on a thin box, whose faces nearly touch: constants are in closed
+/// form there.
 Case pairs(const std::string& limit, double accuracy) {
   return {.limit = limit, .answer = [accuracy] {
             const Surface surface = box(1, 1, Rational(1, 3));
-            const Triangulation triangulation = triangulate(surface, 1);
-            const LocalFunctions functions(surface, triangulation, InsetBasis<double>(0, 0),
+            const Triangulation triangulation = triangulate(surface, 0);
+            const LocalFunctions functions(surface, triangulation, InsetBasis<double>(1, 1.0 / 6),
                                            [](std::size_t, const Vector<double>&) { return 1.0; });
             const PairIntegrals integrals(surface, triangulation, functions, accuracy);
             std::vector<Ball> all;

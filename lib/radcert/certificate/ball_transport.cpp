@@ -60,6 +60,7 @@ public:
         observers_(observers),
         tolerance_(tolerance),
         stride_(densities_.stride()),
+        row_(padded<double>(densities_.powers())),
         own_(scene_.triangles()[observers.triangle]),
         errors_(observers.s.size()),
         terms_(observers.s.size()),
@@ -217,14 +218,14 @@ private:
 
   /// Adds Int G P_i P_j over a part to the moments of its element, for points begin, ..., end - 1.
   /// Maths     along a line of nodes t = t_b Q moves by s (1 - t_b) along: Q - P and n_P.(Q-P) are affine in
-  ///           s. m_i = sum_a W_a G P_i(x_a) on the line, then M_ij += W_b (1 - t_b) m_i P_j(y_b). Lines of
-  ///           all points go side by side
+  ///           s. m_i = sum_a W_a G P_i(x_a) on the line, then M_ij += sum_b W_b (1 - t_b) m_i P_j(y_b).
+  ///           Lines of all points go side by side in the first sum, all j in the second
   void add_moments(const SourcePart& part, int nodes_s, int nodes_t, std::size_t begin, std::size_t end) {
     const std::size_t powers = densities_.powers();
     if (element_ != part.element) {
       contract(begin, end);
       element_ = part.element;
-      moments_.assign((end - begin) * powers * powers, 0);
+      moments_.assign((end - begin) * powers * row_, 0);
     }
     const Element& whole = certificate_.elements[part.element];
     const SideTriangle& triangle = lines_.triangle(part.element);
@@ -239,20 +240,21 @@ private:
     const double scale = triangle.jacobian * half_s * half_t * std::numbers::inv_pi;
     std::array<Vector<double>, most_source_nodes> starts;
     std::array<double, most_source_nodes> shrinkage{};
-    std::array<double, static_cast<std::size_t>(most_source_nodes) * most_powers> weighted{};
+    std::array<double, static_cast<std::size_t>(most_source_nodes) * padded<double>(most_powers)> weighted{};
     const std::size_t lines = rule_t.near_nodes.size();
     for (std::size_t b = 0; b < lines; ++b) {
       const double t = box.middle_t() + half_t * rule_t.near_nodes[b];
       starts[b] = triangle.point(0, t);
       shrinkage[b] = 1 - t;
       const double weight = scale * (1 - t) * rule_t.near_weights[b];
-      for (std::size_t j = 0; j < powers; ++j)
-        weighted[b * most_powers + j] = weight * p_t.values[b * powers + j];
+      for (std::size_t j = 0; j < powers; ++j) weighted[b * row_ + j] = weight * p_t.values[b * powers + j];
     }
     const Vector<double>& n = scene_.normal(own_.face);
     const Vector<double>& along = triangle.along;
     const double rises = dot(n, along);
     const std::size_t all = (end - begin) * lines;
+    const std::size_t room = padded<double>(all);
+    on_lines_.resize(powers * room);
     std::array<double, Pack::lanes> x{};
     std::array<double, Pack::lanes> y{};
     std::array<double, Pack::lanes> z{};
@@ -289,15 +291,19 @@ private:
         for (std::size_t i = 0; i < powers; ++i)
           on_lines[i] = fma(kernel, Pack(p_s.values[a * powers + i]), on_lines[i]);
       }
-      for (std::size_t line = first; line < std::min(first + Pack::lanes, all); ++line) {
-        const double* const of_t = &weighted[line % lines * most_powers];
-        double* const moments = &moments_[line / lines * powers * powers];
-        for (std::size_t i = 0; i < powers; ++i) {
-          const double m = on_lines[i].lane(line - first);
-          for (std::size_t j = 0; j < powers; ++j) moments[i * powers + j] += m * of_t[j];
+      for (std::size_t i = 0; i < powers; ++i) on_lines[i].store(&on_lines_[i * room + first]);
+    }
+    for (std::size_t p = 0; p < end - begin; ++p)
+      for (std::size_t i = 0; i < powers; ++i) {
+        const double* const m = &on_lines_[i * room + p * lines];
+        for (std::size_t j = 0; j < row_; j += Pack::lanes) {
+          double* const to = &moments_[(p * powers + i) * row_ + j];
+          Pack sum = Pack::load(to);
+          for (std::size_t b = 0; b < lines; ++b)
+            sum = fma(Pack(m[b]), Pack::load(&weighted[b * row_ + j]), sum);
+          sum.store(to);
         }
       }
-    }
     const auto summed = static_cast<double>(rule_s.near_nodes.size() * lines + 4);
     for (std::size_t p = begin; p < end; ++p) terms_[p] += summed;
   }
@@ -305,18 +311,20 @@ private:
   /// Adds sum c_ij M_ij of the element at hand to the values, and forgets its moments.
   void contract(std::size_t begin, std::size_t end) {
     if (!element_) return;
-    const std::size_t size = densities_.powers() * densities_.powers();
+    const std::size_t powers = densities_.powers();
     const std::span<const double> w = densities_.w(*element_);
     for (std::size_t p = begin; p < end; ++p) {
-      const double* const moments = &moments_[(p - begin) * size];
+      const double* const moments = &moments_[(p - begin) * powers * row_];
       for (std::size_t lane = 0; lane < stride_; lane += Pack::lanes) {
         Pack sum(0.0);
-        for (std::size_t i = 0; i < size; ++i)
-          sum = fma(Pack(moments[i]), Pack::load(w.data() + i * stride_ + lane), sum);
+        for (std::size_t i = 0; i < powers; ++i)
+          for (std::size_t j = 0; j < powers; ++j)
+            sum = fma(Pack(moments[i * row_ + j]), Pack::load(w.data() + (i * powers + j) * stride_ + lane),
+                      sum);
         double* const to = &values_[p * stride_ + lane];
         (Pack::load(to) + sum).store(to);
       }
-      terms_[p] += static_cast<double>(size);
+      terms_[p] += static_cast<double>(powers * powers);
     }
     element_.reset();
   }
@@ -341,6 +349,7 @@ private:
   const Observers& observers_;
   double tolerance_;
   std::size_t stride_;
+  std::size_t row_;  ///< of moments: the powers of t
   const SideTriangle& own_;
   std::vector<Vector<double>> points_;
   std::vector<double> errors_;  ///< by point
@@ -353,7 +362,8 @@ private:
   double density_error_ = 0;  ///< the largest on the elements so far
   std::vector<double> values_;
   std::optional<std::size_t> element_;  ///< whose moments are at hand
-  std::vector<double> moments_;         ///< by point, i, j
+  std::vector<double> moments_;         ///< by point, i, j, a row of j padded
+  std::vector<double> on_lines_;        ///< by i, point, line
 };
 
 BallTransport::Values BallTransport::operator()(const Observers& observers, double tolerance,
