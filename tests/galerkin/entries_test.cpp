@@ -7,6 +7,7 @@
 #include "radcert/closed_form/polygon_to_polygon.h"
 #include "radcert/core/parallel.h"
 #include "radcert/geometry/plane_polygon.h"
+#include "radcert/scalar/ball_precision.h"
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "tests/galerkin/setting.h"
@@ -62,6 +63,25 @@ TEST(GalerkinMatrix, IsTheConfigurationFactorOfPlaneElementsAtDegreeZero) {
         EXPECT_LT(block.radius(0, 0), 1e-12) << level << ": " << k << ", " << l;
         EXPECT_LE(std::abs(block.value(0, 0) - exact), block.radius(0, 0) + 1e-15)
             << level << ": " << k << ", " << l;
+      }
+  }
+}
+
+TEST(GalerkinMatrix, KnowsWhatCoarseRulesMissOfPlaneElements) {
+  // psi_0 is constant for every degree: its entry is that of constants. Two coarse rules may agree by chance.
+  const BallPrecision precision(400);
+  for (const Surface& surface : {box(1, Rational(1, 10), 1), box(3, Rational(1, 20), 1)}) {
+    const GalerkinSetting setting(surface, 0, 1);
+    const PairIntegrals pairs(setting.surface, setting.triangulation, setting.functions, 0.9);
+    const auto& triangles = setting.triangulation.triangles;
+    for (std::size_t k = 0; k < triangles.size(); k += 3)
+      for (std::size_t l = 0; l < triangles.size(); ++l) {
+        const Ball factor = polygon_to_polygon(polygon_of(setting.surface, triangles[k]),
+                                               polygon_of(setting.surface, triangles[l]));
+        const double exact = factor.to_double() * std::sqrt(area_of(setting.surface, triangles[k]) /
+                                                            area_of(setting.surface, triangles[l]));
+        const PairBlock block = pairs.block(k, l);
+        EXPECT_LE(std::abs(block.value(0, 0) - exact), block.radius(0, 0) + 1e-15) << k << ", " << l;
       }
   }
 }

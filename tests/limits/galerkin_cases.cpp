@@ -10,8 +10,8 @@
 namespace radcert::limits {
 namespace {
 
-/// The first entries of the blocks of degree 1 on a thin box, whose faces nearly touch: constants are in closed
-/// form there.
+/// The first entries of the blocks of degree 1 on a thin box, whose faces nearly touch; constants are in
+/// closed form there.
 Case pairs(const std::string& limit, double accuracy) {
   return {.limit = limit, .answer = [accuracy] {
             const Surface surface = box(1, 1, Rational(1, 3));

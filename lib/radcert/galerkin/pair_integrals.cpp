@@ -293,7 +293,6 @@ public:
       plane_of_.push_back(same == first_of_plane.end() ? a : *same);
       if (plane_of_.back() == a && surface.charts[a].facts().plane) first_of_plane.push_back(a);
     }
-    if (functions.functions() > 1) return;
     facets_.resize(triangulation.triangles.size());
     for (std::size_t k = 0; k < facets_.size(); ++k)
       if (is_plane(k)) facets_[k] = facet_of(surface, triangulation.triangles[k]);
@@ -325,11 +324,13 @@ public:
       const RawBlock fine = at_stage(stage);
       Matrix<double> value = turned(fine.value, first, second);
       const double difference = largest_difference(value, coarse);
-      if (difference <= accuracy_ * smallest * fine.size || fine.is_last || stage == last) {
-        // Rules converge slowly for what is near and was not cut.
-        const double least = fine.is_near ? std::max(8 * difference, before)
-                                          : std::max(difference / 2, std::min(before / 8, 64 * difference));
-        put(fine, value, coarse, least, first, second, out);
+      const bool agree = difference <= accuracy_ * smallest * fine.size;
+      if (agree || fine.is_last || stage == last) {
+        // Rules converge slowly for what is near and was not cut, and for what has not converged.
+        const double least = fine.is_near || !agree
+                                 ? std::max(8 * difference, before)
+                                 : std::max(difference / 2, std::min(before / 8, 64 * difference));
+        put(fine, value, coarse, least, missed(fine.size, first, second), first, second, out);
         break;
       }
       coarse = std::move(value);
@@ -356,6 +357,17 @@ private:
     out.value(0, 0) = psi * area.value;
     out.radius(0, 0) = std::abs(psi) * (area.radius + from.lean + to.lean + 4 * unit * area.value);
     return out;
+  }
+
+  /// What rules for two plane elements miss of Int Int G, by its closed form: they may agree on what is false
+  /// where elements are thin.
+  [[nodiscard]] double missed(double found, std::size_t first, std::size_t second) const {
+    if (!is_plane(first) || !is_plane(second)) return 0;
+    const Facet& from = facets_[first];
+    const Facet& to = facets_[second];
+    const Approximation area = exchange_area(from.corners, to.corners);
+    const double known = pi<double>() * (area.radius + from.lean + to.lean);
+    return std::max(0.0, std::abs(found - pi<double>() * area.value) - known);
   }
 
   struct Part {
@@ -509,7 +521,7 @@ private:
 
   /// `least`: a difference may vanish by chance, but hardly all of a block's, and of two stages.
   void put(const RawBlock& fine, const Matrix<double>& value, const Matrix<double>& coarse, double least,
-           std::size_t first, std::size_t second, PairBlock& out) const {
+           double missed, std::size_t first, std::size_t second, PairBlock& out) const {
     const std::size_t p = functions_.functions();
     const double rounding =
         blur_per_extent * fine.rounding + unit * static_cast<double>(fine.length + 4 * p + 16) * fine.size;
@@ -517,7 +529,7 @@ private:
       for (std::size_t b = 0; b < p; ++b) {
         out.value(a, b) = value(a, b) / pi<double>();
         out.radius(a, b) = (std::max(std::abs(value(a, b) - coarse(a, b)), least) +
-                            rounding * largest_of(first, a) * largest_of(second, b)) /
+                            (rounding + missed) * largest_of(first, a) * largest_of(second, b)) /
                            pi<double>();
       }
   }
@@ -540,7 +552,7 @@ private:
   std::vector<double> largest_;  ///< of the functions of the basis
   std::vector<Place> places_;
   std::vector<std::size_t> plane_of_;  ///< by chart: the first chart in the same plane
-  std::vector<Facet> facets_;          ///< of plane elements, for constants
+  std::vector<Facet> facets_;          ///< of plane elements
   mutable std::vector<LazyTable<RulePoints, most_kept>> kept_;
   mutable LazyTable<std::vector<PointPair>, 3 * rules_of_a_contact> rules_;
 };

@@ -41,9 +41,10 @@ struct PairBlock {
 /// Result    block(a, b) and block(b, a) take other points and are transposed within their radii; exactly 0
 ///           for two elements in one plane. May be asked from several threads
 /// Limits    estimates. That two elements touch is seen from their rounded vertices: it chooses a rule, and
-///           no fact rests on it. What is near at deepest_pair counts with eight times what two rules differ
-///           by there, or with what those before differed by; what has not converged after most_stages rules
-///           with what the last two differ by
+///           no fact rests on it. What is near at deepest_pair, and what has not converged after most_stages
+///           rules, counts with eight times what the last two differ by, or with what those before differed
+///           by. Rules may agree on what is false where elements are thin: of plane ones what they
+///           miss of Int Int G, by its closed form, is added
 class PairIntegrals {
 public:
   PairIntegrals(const Surface& surface, const Triangulation& triangulation, const LocalFunctions& functions,
