@@ -347,15 +347,22 @@ private:
     return surface_.charts[triangulation_.triangles[element].chart].facts().plane.has_value();
   }
 
-  /// Of two plane elements whose only functions are constants: A_1 F_12 in closed form along the edges.
-  [[nodiscard]] PairBlock of_constants(std::size_t first, std::size_t second) const {
+  /// A_1 F_12 of two plane elements in closed form, with what their rounded corners leave open.
+  [[nodiscard]] Approximation exchange(std::size_t first, std::size_t second) const {
     const Facet& from = facets_[first];
     const Facet& to = facets_[second];
-    const Approximation area = exchange_area(from.corners, to.corners);
+    Approximation area = exchange_area(from.corners, to.corners);
+    area.radius += from.lean + to.lean;
+    return area;
+  }
+
+  /// Of two plane elements whose only functions are constants.
+  [[nodiscard]] PairBlock of_constants(std::size_t first, std::size_t second) const {
+    const Approximation area = exchange(first, second);
     const double psi = functions_.coefficients(first)(0, 0) * functions_.coefficients(second)(0, 0);
     PairBlock out{Matrix<double>(1, 1), Matrix<double>(1, 1)};
     out.value(0, 0) = psi * area.value;
-    out.radius(0, 0) = std::abs(psi) * (area.radius + from.lean + to.lean + 4 * unit * area.value);
+    out.radius(0, 0) = std::abs(psi) * (area.radius + 4 * unit * area.value);
     return out;
   }
 
@@ -363,11 +370,8 @@ private:
   /// where elements are thin.
   [[nodiscard]] double missed(double found, std::size_t first, std::size_t second) const {
     if (!is_plane(first) || !is_plane(second)) return 0;
-    const Facet& from = facets_[first];
-    const Facet& to = facets_[second];
-    const Approximation area = exchange_area(from.corners, to.corners);
-    const double known = pi<double>() * (area.radius + from.lean + to.lean);
-    return std::max(0.0, std::abs(found - pi<double>() * area.value) - known);
+    const Approximation area = exchange(first, second);
+    return std::max(0.0, std::abs(found - pi<double>() * area.value) - pi<double>() * area.radius);
   }
 
   struct Part {

@@ -43,8 +43,8 @@ struct PairBlock {
 /// Limits    estimates. That two elements touch is seen from their rounded vertices: it chooses a rule, and
 ///           no fact rests on it. What is near at deepest_pair, and what has not converged after most_stages
 ///           rules, counts with eight times what the last two differ by, or with what those before differed
-///           by. Rules may agree on what is false where elements are thin: of plane ones what they
-///           miss of Int Int G, by its closed form, is added
+///           by. Rules may agree on what is false where elements are thin: of plane ones what they miss of
+///           Int Int G, by its closed form, is added; of curved ones nothing is known
 class PairIntegrals {
 public:
   PairIntegrals(const Surface& surface, const Triangulation& triangulation, const LocalFunctions& functions,
