@@ -10,7 +10,8 @@ A kill is a signal (KILL, TERM, INT), at a moment of the time that the command t
 output may be there in part: each is the undisturbed one's or is not there. A signal that can be caught leaves no
 temporary file, and a store that every record of can be read. The same command, run again in the same folder with the
 same store, must end with the exit code and the bits of the undisturbed run. What depends on the clock stands apart and
-is left out: timing.csv, the keys `timing` and `seconds` of JSON files and of the document in a page. Exit code 0 where all of that holds, else 1.
+is left out: timing.csv, the keys `timing` and `seconds` of JSON files and of the document in a page. Exit code 0 where
+all of that holds, else 1.
 """
 import argparse
 import json
@@ -62,6 +63,8 @@ COMMANDS = {
 SIGNALS = [signal.SIGKILL, signal.SIGTERM, signal.SIGINT]
 # A temporary of a process that was killed by SIGKILL.
 TEMPORARY = ".tmp"
+# Kills between two words of progress.
+PROGRESS = 25
 
 
 class Failure(Exception):
@@ -199,6 +202,8 @@ def main():
             except Failure as failure:
                 failures += 1
                 print(f"{name}, {sent.name} after {moment:.3f} s: {failure}", flush=True)
+            if (number + 1) % PROGRESS == 0:
+                print(f"{number + 1} of {arguments.count}", file=sys.stderr, flush=True)
     finally:
         shutil.rmtree(scratch)
     for (name, sent), (kills, early) in sorted(counts.items()):
