@@ -15,6 +15,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/work_limit.h"
 #include "tests/closed_form/kernel_quadrature.h"
+#include "tests/closed_form/plane_element_excess.h"
 #include "tests/closed_form/polar_kernel_integral.h"
 #include "tests/scalar/draw.h"
 
@@ -25,10 +26,6 @@ using Exact = Vector<Rational>;
 using Point = Vector<double>;
 using Polynomial = PlanePolynomial<Rational>;
 using Route = PlaneElement::Route;
-
-Exact exactly(const Point& a) {
-  return {Rational::exactly(a.x), Rational::exactly(a.y), Rational::exactly(a.z)};
-}
 
 Polynomial monomial(int i, int j) {
   Polynomial q(i + j);
@@ -217,26 +214,6 @@ TEST(PlaneElement, StaysWithinItsErrorNextToEdgesCornersAndThePlane) {
     }
   }
   record(sweep);
-}
-
-judge::Triple triple(const Exact& a) { return {a.x, a.y, a.z}; }
-
-/// How far a constant's integral is off, over what is allowed, by Lambert's formula in space: it shares
-/// nothing with the element and with the balls that it falls back to.
-double excess(const PlanePolygon& polygon, const PlaneElement& element, double accuracy, const Point& p,
-              const Point& normal) {
-  std::vector<double> values(element.function_count());
-  (void)element.integrals(p, normal, values);
-  judge::Polygon judged{triple(polygon.origin()), triple(polygon.first()), triple(polygon.second()), {}};
-  for (const PolygonLoop& loop : polygon.loops()) {
-    judged.loops.emplace_back();
-    for (const auto& at : loop) judged.loops.back().push_back({at.s, at.t});
-  }
-  const BallPrecision precision(512);
-  const Ball exact = judge::lambert_integral(judged, triple(exactly(p)), triple(exactly(normal)));
-  if (certainly_zero(exact)) return values[0] == 0 ? 0 : HUGE_VAL;
-  EXPECT_LE(exact.radius(), 1e-20 * abs(exact).lower_double());
-  return abs((Ball(values[0]) - exact) / (Ball(accuracy) * exact)).upper_double();
 }
 
 // The pair of the first lines was off by 5244 radii: the height of its nodes is a part 1e-17 of their
