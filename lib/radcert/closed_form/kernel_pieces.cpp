@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "radcert/polynomial/plane_polynomial.h"
 #include "radcert/polynomial/rules/gauss.h"
@@ -163,6 +164,38 @@ void measure(KernelPiece& piece, double squared_height) {
     squared_radius = std::max(squared_radius, dx * dx + dy * dy);
   }
   piece.radius = std::sqrt(squared_radius) * (1 + rounding) + rounding * piece.distance;
+}
+
+double needed_tail(const KernelPiece& piece, double allowed, double area, double size) {
+  const double squared = piece.distance * piece.distance;
+  const double level =
+      std::max({piece.corner[0].level.head, piece.corner[1].level.head, piece.corner[2].level.head});
+  if (!(level > 0)) return std::numeric_limits<double>::infinity();
+  return allowed * squared * squared / (2 * area * level * size);
+}
+
+double integral_behind(double area, double lowest, double largest, double height) {
+  constexpr double rounding = 1.4;  // of the largest level, and of these products
+  const double part = area * std::min(1.0, 2 * lowest / largest);
+  return rounding * (lowest / height) * (part / (height * height));
+}
+
+/// A level: its tail left out 1, nodes 1, products and sums 3; weight 2; division 1; area 1, and 4 where it is
+/// cut; height 1, length of the normal 3, the result 1. The distance: the edges 5 of a length of at most 2
+/// ratio D, over a distance of (1 - ratio) D, and the sum 1. Its square w: twice that, the roundings of
+/// squares and their sum 2, the squared height 3 of h^2 / w, which exceeds what the distance leaves of 3 w by
+/// at most 1.5. The square of w doubles these, and 1.
+double PieceSums::summand_roundings(double ratio) {
+  const double distance = 10 * ratio / (1 - ratio) + 1;
+  return 5 + 2 + 1 + 5 + 5.2 + 2 * (2 * distance + 3.5) + 1;
+}
+
+/// A block, the area 1, the lanes 3, the coefficient 1, the compensated total and the sums in long double; and
+/// for every factor of a Bernstein polynomial the node 1, a product 1, and in a part of a triangle 2 for its
+/// coordinates in all of it, which are nowhere above 1 and have the sum 1 also half computed.
+double PieceSums::sum_roundings(int degree, bool whole) {
+  static_assert(std::numeric_limits<long double>::digits >= 64);
+  return static_cast<double>(rule_block - 1) + 5.2 + (whole ? 2 : 4) * degree;
 }
 
 PieceSums::PieceSums(int degree) : degree_(degree), count_(PlanePolynomial<double>::size_of(degree)) {

@@ -68,6 +68,20 @@ void append_quarters(const KernelPiece& piece, std::vector<KernelPiece>& to);
 /// distance where the radius is less than the distance.
 void measure(KernelPiece& piece, double squared_height);
 
+/// The tail that a rule over a piece may leave, for fitting_rule.
+/// Maths     truncation is at most 2 |area| sup level D^-4 tail sup |q|, D the distance: with this tail, the
+///           pieces' sum to `allowed` at most where their areas sum to `area` and sup |q| <= size
+/// Requires  allowed, area, size > 0
+/// Result    infinite where no corner has a positive level: there is nothing to integrate
+double needed_tail(const KernelPiece& piece, double allowed, double area, double size);
+
+/// A bound of Int |h level| / |Q-P|^4 dS over the part of a polygon that the tangent plane hides.
+/// Maths     Along every ray from the corner of the largest level L on to the boundary of the convex hull the
+///           level falls linearly from L to -e at the lowest, and is negative on a part e / (L + e) of it at
+///           most: the area is at most 2 e / L of the hull's. There the integrand is at most h e / h^4
+/// Requires  area >= that of the convex hull, levels >= -lowest, L >= 3/4 largest, 0 < height <= |h|
+double integral_behind(double area, double lowest, double largest, double height);
+
 /// Sums of a rule over pieces of one triangle.
 /// Maths     Int (Q-P).n_P / |Q-P|^4 lambda^alpha dS for all products of so many barycentric coordinates. The
 ///           order: those of one factor less, in the same order, times lambda_0; then lambda_1^n,
@@ -79,6 +93,13 @@ class PieceSums {
 public:
   static constexpr std::size_t most_monomials = 45;
   static constexpr std::size_t rule_block = 4;
+
+  /// The roundings that a summand may suffer, and its factor of height over the length of the normal, in
+  /// units of 2^-53 of it, where pieces have at most this radius against their distance D.
+  static double summand_roundings(double ratio);
+  /// Those of the sums, and of products with coefficients, in units of the largest Bernstein coefficient times
+  /// the sum; whole: for pieces that are their triangles.
+  static double sum_roundings(int degree, bool whole);
 
   explicit PieceSums(int degree);
   void clear();

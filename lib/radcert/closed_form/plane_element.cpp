@@ -134,8 +134,6 @@ private:
   bool by_rule(const Eye& eye, bool whole, std::span<double> values) const;
   Route by_balls(const Vector<double>& p, const Vector<double>& normal, std::span<double> values) const;
   [[nodiscard]] bool foot_is_outside(const Eye& eye, const std::vector<FootEdge<BoundedDouble>>& edges) const;
-  [[nodiscard]] static BoundedDouble plain_product(const DoubleDoubleVector& direction,
-                                                   const DoubleDoubleVector& r, double reach);
 
   PlanePolygon polygon_;
   std::vector<PlanePolynomial<Rational>> exact_functions_;
@@ -449,18 +447,12 @@ void PlaneElement::Prepared::add_barycentric(const PlanePolynomial<Rational>& q,
 }
 
 /// A bound of Int |G| dS over the part of the polygon behind the tangent plane, where no corner is certainly
-/// there: its level is above -e, e some five times the error of a level. Along every ray from the corner of
-/// the largest level L on to the boundary of the convex hull the level falls linearly from L to -e at the
-/// lowest, and is negative on a part e / (L + e) of it at most: the area is at most 2 e / L of the hull's,
-/// which lies within a rectangle. There |G| <= |h| e / h^4.
+/// there: its level is above -e, e some five times the error of a level.
 double PlaneElement::Prepared::hidden_part(const Eye& eye) const {
   if (!eye.has_undecided) return 0;
-  const double lowest = undecided_errors * eye.level_error;
-  const double box = 4 * x_scale_ * y_scale_;
-  const double height = eye.height.smallest_size();
-  constexpr double rounding = 1.4;  // the largest level is off by a quarter at most
-  const double area = box * std::min(1.0, 2 * lowest / eye.largest_level);
-  return rounding * (lowest / height) * (area / (height * height)) / eye.normal_length.smallest_size();
+  return integral_behind(4 * x_scale_ * y_scale_, undecided_errors * eye.level_error, eye.largest_level,
+                         eye.height.smallest_size()) /
+         eye.normal_length.smallest_size();
 }
 
 /// Int G dS = 1/2 sum [h (n_P . m) - (n_P . n) d] angle / a, m the edge's inward normal.
@@ -483,21 +475,6 @@ std::optional<BoundedDouble> PlaneElement::Prepared::lambert(const Eye& eye) con
   // The product with the function's value rounds once more.
   if (sum.error() + hidden <= (accuracy_ - 5 * unit) * (sum.smallest_size() - hidden)) return sum;
   return std::nullopt;
-}
-
-/// direction . r in doubles, r a difference of corners and P.
-BoundedDouble PlaneElement::Prepared::plain_product(const DoubleDoubleVector& direction,
-                                                    const DoubleDoubleVector& r, double reach) {
-  double sum = 0;
-  double size = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double term = direction.head[i] * r.head[i];
-    sum += term;
-    size += std::abs(term);
-  }
-  // Both factors are rounded, the product, and two sums; and the difference itself is known to 2^-105 of P
-  // and the corner.
-  return {sum, 5.1 * unit * size + product_error(reach)};
 }
 
 /// Whether the foot certainly lies outside, and no nearer to a corner than P's height. Of a polygon that is
@@ -596,39 +573,20 @@ bool PlaneElement::Prepared::by_closed_form(const Eye& eye, std::span<double> va
 // - truncation: fitting_rule, piece by piece against a lower bound of Int G dS;
 // - roundings of the summands G times weight, relative to each of them: they are positive, so that the sum's
 // error is at most that
-//   part of Int G dS max |q| (summand_roundings);
+//   part of Int G dS max |q| (PieceSums::summand_roundings);
 // - roundings of the sums and of products with Bernstein polynomials, in units of the largest coefficient
-// (sum_roundings);
+// (PieceSums::sum_roundings);
 // - what the geometry is off by before the rule begins: P's height, the coordinates of the corners and their
 // levels come out of
 //   double-double products with an absolute error, which is small against them only where they are not small
 //   against `reach` (geometry_errors). They are measured at every call, and refused where the spare roundings
 //   do not cover them.
 
-/// The roundings that a summand of a rule may suffer, in units of 2^-53 of it, where pieces have at most this
-/// radius against their distance D. A level: its tail left out 1, nodes 1, products and sums 3; weight 2;
-/// division 1; area 1, and 4 where it is cut; height 1, length of the normal 3, the result 1. The distance:
-/// the edges 5 of a length of at most 2 ratio D, over a distance of (1 - ratio) D, and the sum 1. Its square
-/// w: twice that, the roundings of squares and their sum 2, the squared height 3 of h^2 / w, which exceeds
-/// what the distance leaves of 3 w by at most 1.5. The square of w doubles these, and 1.
-double summand_roundings(double ratio) {
-  const double distance = 10 * ratio / (1 - ratio) + 1;
-  return 5 + 2 + 1 + 5 + 5.2 + 2 * (2 * distance + 3.5) + 1;
-}
-
-/// Those of the sums, in units of the largest Bernstein coefficient: a block, the area 1, the lanes 3, the
-/// coefficient 1, the compensated total and the sums in long double; and for every factor of a Bernstein
-/// polynomial the node 1, a product 1, and in a part of a triangle 2 for its coordinates in all of it, which
-/// are nowhere above 1 and have the sum 1 also half computed.
-double sum_roundings(int degree, bool whole) {
-  static_assert(std::numeric_limits<long double>::digits >= 64);
-  return static_cast<double>(PieceSums::rule_block - 1) + 5.2 + (whole ? 2 : 4) * degree;
-}
-
 PlaneElement::Prepared::Permitted PlaneElement::Prepared::permitted(bool whole) const {
   constexpr double least_spare = 1;
   for (const double ratio : {0.4, 0.35, 0.3, 0.25, 0.2, 0.15, 0.1, 0.05, 0.02}) {
-    const double taken = summand_roundings(ratio) + sum_roundings(degree_, whole) * amplification_;
+    const double taken =
+        PieceSums::summand_roundings(ratio) + PieceSums::sum_roundings(degree_, whole) * amplification_;
     const double spare = (1 - truncation_part) * accuracy_ / unit - taken;
     if (spare >= least_spare) return {ratio, spare};
   }
@@ -673,7 +631,7 @@ bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, const Permitted& pe
 /// their smallest distances. Levels: max(level, 0) changes by at most as much as the level, which is linear
 /// between corners, whose levels are off by e at most, or were set to 0 and are at most 5 e and a little.
 /// What the change uncovers of a triangle that is cut lies where the level is between -5 e and 0: by the
-/// argument of hidden_part at most 2 (5 e) / L of its area, all of it where no corner is seen, and |Q-P| >=
+/// argument of integral_behind at most 2 (5 e) / L of its area, all of it where no corner is seen, and |Q-P| >=
 /// |h|. Cuts: shifted by at most 2 e / l of a side, l the smallest level of a corner in size, which moves
 /// what is seen by that part of the polygon's diameter: the summand changes by four times that over (1 -
 /// ratio) D; areas change by 4 e / l at most, and every barycentric coordinate by 2 e / l of itself, beside
@@ -775,13 +733,9 @@ bool PlaneElement::Prepared::by_rule(const Eye& eye, bool whole_triangles, std::
     sums.clear();
     for (; place < pieces.size() && pieces[place].triangle == triangle; ++place) {
       const KernelPiece& piece = pieces[place];
-      // 2 area sup |numerator| D^-4 tail sup |q|, against this area's part of what is permitted.
-      const double squared = piece.distance * piece.distance;
-      const double level =
-          std::max({piece.corner[0].level.head, piece.corner[1].level.head, piece.corner[2].level.head});
-      if (!(level > 0)) continue;
-      const double needed = truncation_part * accuracy_ * least * squared * squared /
-                            (2 * absolute_area * level * amplification_);
+      const double needed =
+          needed_tail(piece, truncation_part * accuracy_ * least, absolute_area, amplification_);
+      if (std::isinf(needed)) continue;
       const PaddedRule* rule = fitting_rule(piece.radius / piece.distance, needed, degree_);
       if (rule == nullptr) return false;
       sums.add(piece, *rule, squared_height);
@@ -804,7 +758,8 @@ bool PlaneElement::Prepared::by_rule(const Eye& eye, bool whole_triangles, std::
   if (!(absolute <= whole)) {
     const auto excess = static_cast<double>(absolute / whole);
     const double roundings =
-        (summand_roundings(permitted.ratio) + sum_roundings(degree_, whole_triangles)) * amplification_ +
+        (PieceSums::summand_roundings(permitted.ratio) + PieceSums::sum_roundings(degree_, whole_triangles)) *
+            amplification_ +
         geometry / unit;
     if (!(excess * roundings * unit <= (1 - truncation_part) * accuracy_)) return false;
   }
@@ -871,9 +826,7 @@ PlaneElement::Route PlaneElement::Prepared::integrals(const Vector<double>& p, c
     return by_balls(p, normal, values);
   const double scale = std::ldexp(1.0, -std::ilogb(normal_size));
   for (double& part : eye.normal.head) part *= scale;
-  double squared = 0;
-  for (const double part : eye.normal.head) squared = std::fma(part, part, squared);
-  eye.normal_length = {std::sqrt(squared), 3 * unit * std::sqrt(squared)};
+  eye.normal_length = bounded_length(eye.normal.head);
   eye.normal_z = product(axis_z_, eye.normal, normal_reach);
 
   int seen = 0;
