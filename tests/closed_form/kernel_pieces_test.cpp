@@ -208,8 +208,8 @@ TEST(PieceSums, SummandsAreWithinTheirRoundings) {
   RecordProperty("closest", std::to_string(closest));
 }
 
-// All corners of the piece are at the foot, and its levels are 1: summands are the weights, exactly. Among all
-// polynomials with Bernstein coefficients 1 and -1 there is the one for which all errors add up.
+// All corners of the piece are at the foot, and its levels are 1: summands are the weights, exactly. Among
+// all polynomials with Bernstein coefficients 1 and -1 there is the one for which all errors add up.
 TEST(PieceSums, SumsAreWithinTheirRoundings) {
   std::mt19937 draw(7);
   std::uniform_int_distribution<long> share(0, 1L << 26U);

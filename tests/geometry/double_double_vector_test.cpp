@@ -66,7 +66,7 @@ template <typename Product>
 double worst(const Rational& part, Product product) {
   Draw draw(7);
   double found = 0;
-  for (int trial = 0; trial < 4000; ++trial) {
+  for (int trial = 0; trial < 1500; ++trial) {
     const Pair pair = draw_pair(draw, part);
     const BoundedDouble value = product(rounded(pair.direction), pair.rounded_difference, pair.size);
     const Rational off = Rational::exactly(value.value()) - dot(pair.direction, pair.difference);
@@ -95,7 +95,7 @@ TEST(DoubleDoubleVector, PlainProductsAreWithinTheirError) {
 TEST(DoubleDoubleVector, LengthsAreWithinTheirError) {
   Draw draw(8);
   double found = 0;
-  for (int trial = 0; trial < 4000; ++trial) {
+  for (int trial = 0; trial < 1500; ++trial) {
     // Squares just above a power of two lose most.
     const std::array<double, 3> a{1 + 0.01 * draw.unit(), 0.1 * draw.unit(), 0.1 * draw.unit()};
     const BoundedDouble value = bounded_length(a);

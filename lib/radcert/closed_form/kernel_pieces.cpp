@@ -180,8 +180,8 @@ double integral_behind(double area, double lowest, double largest, double height
   return rounding * (lowest / height) * (part / (height * height));
 }
 
-/// A level: its tail left out 1, nodes 1, products and sums 3; weight 2; division 1; area 1, and 4 where it is
-/// cut; height 1, length of the normal 3, the result 1. The distance: the edges 5 of a length of at most 2
+/// A level: its tail left out 1, nodes 1, products and sums 3; weight 2; division 1; area 1, and 4 where it
+/// is cut; height 1, length of the normal 3, the result 1. The distance: the edges 5 of a length of at most 2
 /// ratio D, over a distance of (1 - ratio) D, and the sum 1. Its square w: twice that, the roundings of
 /// squares and their sum 2, the squared height 3 of h^2 / w, which exceeds what the distance leaves of 3 w by
 /// at most 1.5. The square of w doubles these, and 1.
@@ -190,9 +190,9 @@ double PieceSums::summand_roundings(double ratio) {
   return 5 + 2 + 1 + 5 + 5.2 + 2 * (2 * distance + 3.5) + 1;
 }
 
-/// A block, the area 1, the lanes 3, the coefficient 1, the compensated total and the sums in long double; and
-/// for every factor of a Bernstein polynomial the node 1, a product 1, and in a part of a triangle 2 for its
-/// coordinates in all of it, which are nowhere above 1 and have the sum 1 also half computed.
+/// A block, the area 1, the lanes 3, the coefficient 1, the compensated total and the sums in long double;
+/// and for every factor of a Bernstein polynomial the node 1, a product 1, and in a part of a triangle 2 for
+/// its coordinates in all of it, which are nowhere above 1 and have the sum 1 also half computed.
 double PieceSums::sum_roundings(int degree, bool whole) {
   static_assert(std::numeric_limits<long double>::digits >= 64);
   return static_cast<double>(rule_block - 1) + 5.2 + (whole ? 2 : 4) * degree;

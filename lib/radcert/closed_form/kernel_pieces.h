@@ -97,8 +97,8 @@ public:
   /// The roundings that a summand may suffer, and its factor of height over the length of the normal, in
   /// units of 2^-53 of it, where pieces have at most this radius against their distance D.
   static double summand_roundings(double ratio);
-  /// Those of the sums, and of products with coefficients, in units of the largest Bernstein coefficient times
-  /// the sum; whole: for pieces that are their triangles.
+  /// Those of the sums, and of products with coefficients, in units of the largest Bernstein coefficient
+  /// times the sum; whole: for pieces that are their triangles.
   static double sum_roundings(int degree, bool whole);
 
   explicit PieceSums(int degree);

@@ -631,8 +631,8 @@ bool PlaneElement::Prepared::cut_into_pieces(const Eye& eye, const Permitted& pe
 /// their smallest distances. Levels: max(level, 0) changes by at most as much as the level, which is linear
 /// between corners, whose levels are off by e at most, or were set to 0 and are at most 5 e and a little.
 /// What the change uncovers of a triangle that is cut lies where the level is between -5 e and 0: by the
-/// argument of integral_behind at most 2 (5 e) / L of its area, all of it where no corner is seen, and |Q-P| >=
-/// |h|. Cuts: shifted by at most 2 e / l of a side, l the smallest level of a corner in size, which moves
+/// argument of integral_behind at most 2 (5 e) / L of its area, all of it where no corner is seen, and |Q-P|
+/// >= |h|. Cuts: shifted by at most 2 e / l of a side, l the smallest level of a corner in size, which moves
 /// what is seen by that part of the polygon's diameter: the summand changes by four times that over (1 -
 /// ratio) D; areas change by 4 e / l at most, and every barycentric coordinate by 2 e / l of itself, beside
 /// its roundings at the cut, at every halving, and of two differences. Height and coordinates: eta = 40

@@ -75,8 +75,8 @@ inline BoundedDouble product(const DoubleDoubleVector& direction, const DoubleDo
   return {value, 0x1.04p-53 * std::abs(value) + product_error(size)};
 }
 
-/// The same in doubles: both factors are rounded, the product, and two sums; and the difference itself is known
-/// to 2^-105 of what it was taken of. Requires what product_error does.
+/// The same in doubles: both factors are rounded, the product, and two sums; and the difference itself is
+/// known to 2^-105 of what it was taken of. Requires what product_error does.
 inline BoundedDouble plain_product(const DoubleDoubleVector& direction, const DoubleDoubleVector& difference,
                                    double size) {
   double sum = 0;
@@ -89,8 +89,8 @@ inline BoundedDouble plain_product(const DoubleDoubleVector& direction, const Do
   return {sum, 5.1 * 0x1p-53 * absolute + product_error(size)};
 }
 
-/// The length of an exact vector whose largest part is in [1, 2): three roundings of a positive sum, which the
-/// root halves, and its own.
+/// The length of an exact vector whose largest part is in [1, 2): three roundings of a positive sum, which
+/// the root halves, and its own.
 inline BoundedDouble bounded_length(const std::array<double, 3>& a) {
   double squared = 0;
   for (const double part : a) squared = std::fma(part, part, squared);
