@@ -141,6 +141,8 @@ TEST(BoundedDouble, CountsWhatUnderflowsInItsBound) {
   const BoundedDouble tiny(1e-100, 1e-101);
   EXPECT_GE((BoundedDouble(1e-240, 0) / tiny).error(), 1e-142);
   EXPECT_GE((BoundedDouble(1e-315, 0) / BoundedDouble(1e-40, 1e-41)).error(), 1e-277);
+  // The same to nothing at all: 1e-160 times 1e-165.
+  EXPECT_GE((BoundedDouble(1e-320, 0) / BoundedDouble(1e-160, 1e-165)).error(), 0.99e-165);
   // The square root of a small number with a small error.
   EXPECT_GE(sqrt(BoundedDouble(1e-220, 1e-221)).error(), 4.9e-112);
   EXPECT_GE(BoundedDouble::rounded(5e-324).error(), 2.5e-324);
@@ -243,6 +245,14 @@ TEST(BoundedDouble, ContainsTheDilogarithm) {
             << radius << " +- " << off_radius << ", " << angle << " +- " << off_angle;
       }
   }
+}
+
+TEST(BoundedDouble, SaysNothingOfAnAngleAcrossTheCut) {
+  // Points on either side of the ray to the left, and on it, whose angles are pi and -pi.
+  for (const double y : {-1e-12, 0.0, 1e-12})
+    for (const double off : {1e-12, 1e-6})
+      EXPECT_FALSE(std::isfinite(atan2(BoundedDouble(y, off), BoundedDouble(-1)).error())) << y << " " << off;
+  EXPECT_TRUE(std::isfinite(atan2(BoundedDouble(1e-12, 0.99e-12), BoundedDouble(-1)).error()));
 }
 
 TEST(BoundedDouble, IsNotSmallerThanItsSmallestSize) {

@@ -114,6 +114,20 @@ TEST(EdgeSymbol, CountsWhatItsSeriesLeavesOut) {
     }
 }
 
+// The Taylor coefficients beyond those kept are small against rounding, but for that at 600 bits.
+TEST(EdgeSymbolPatch, CountsTheDegreesThatItLeavesOut) {
+  const BallPrecision precision(600);
+  const EdgeSymbol symbol(radians(75));
+  const EdgeSymbolPatch patch(
+      symbol, exponent(Rational(3, 2)) + ComplexBall(hull(Ball(-1), Ball(1)), hull(Ball(-1), Ball(1))));
+  for (const Rational& b : {Rational(1, 2), Rational(2), Rational(5, 2)}) {
+    const SymbolValue of_patch = patch.entire(exponent(b));
+    const SymbolValue exact = symbol.entire(exponent(b));
+    EXPECT_TRUE(overlaps(of_patch.value, exact.value)) << b.to_text();
+    EXPECT_TRUE(overlaps(of_patch.slope, exact.slope)) << b.to_text();
+  }
+}
+
 TEST(EdgeSymbol, AsksForAnAngle) {
   for (const Ball& angle : {Ball(0), Ball(-1), Ball(4), Ball::pi()})
     EXPECT_THROW(EdgeSymbol{angle}, ContractViolation);
