@@ -66,6 +66,14 @@ TEST(IntegralOnInterval, IsUndecidedOverAPole) {
   EXPECT_NE(found.reason().why.find("contains zero"), std::string::npos) << found.reason().why;
 }
 
+TEST(IntegralOnInterval, IsUndecidedWhereRoundingIsWiderThanTheDemand) {
+  const BallPrecision precision(64);
+  const Enclosure found = integral_on_interval(line_function([](const auto& x) { return exp(x); }), 0, 1,
+                                               {.radius = 1e-25, .work_limit = 5000});
+  ASSERT_FALSE(found.has_value());
+  EXPECT_TRUE(overlaps(found.reason().reached, exp(Ball(1)) - 1));
+}
+
 TEST(IntegralOnInterval, StopsNearItsWorkLimitWithWhatWasReached) {
   const auto wild = line_function([]<class R>(const R& x) { return sin(R(1) / x); });
   const Enclosure found = integral_on_interval(wild, 0, 1, {.radius = 1e-10, .work_limit = 500});

@@ -149,6 +149,22 @@ TEST(IntegralOverPolygon, SaysWhenRoundingIsWiderThanTheDemand) {
   EXPECT_TRUE(overlaps(found.reason().reached, exp(Ball(1)) - 1));
 }
 
+// Demands around what rounding leaves: what is given is as narrow as was demanded.
+TEST(IntegralOverPolygon, IsAsNarrowAsDemandedOrUndecided) {
+  const BallPrecision precision(64);
+  const auto f = [](const auto& at) { return exp(at.s); };
+  int undecided = 0;
+  for (double radius = 1e-15; radius > 1e-20; radius /= 4) {
+    const Enclosure found = integral_over_polygon(f, square, {.radius = radius});
+    if (found.has_value())
+      EXPECT_LE(found->value.radius(), radius);
+    else
+      ++undecided;
+  }
+  EXPECT_GT(undecided, 1);
+  EXPECT_LT(undecided, 8);
+}
+
 TEST(IntegralOverPolygon, RefusesPolygonsWithoutAnArea) {
   const auto f = [](const auto& at) { return at.s; };
   EXPECT_THROW(static_cast<void>(integral_over_polygon(f, {{0, 0}, {1, 1}}, {.radius = 1})),
@@ -199,6 +215,20 @@ TEST(BoundOnEllipse, BoundsTheFunctionOnTheEllipse) {
   const EllipseBound other = bound_on_ellipse(f, cell, SquareAxis::y, 50, 400);
   EXPECT_GE(other.bound, 2 * (1 - 1e-12));
   EXPECT_LE(other.bound, 40);
+}
+
+// exp(-4 x^2) on [-1/2, 1/2] moved to the cell: the largest value is that at the top of the ellipse.
+TEST(BoundOnEllipse, BoundsWhatIsLargestAtTheTop) {
+  const SquareFunction f = square_function([]<class R>(const R& x, const R& y) {
+    const R from_middle = x - R(1) / R(2);
+    return exp(R(-4) * from_middle * from_middle) + R(0) * y;
+  });
+  for (const double rho : {4.0, 6.0}) {
+    const EllipseBound found = bound_on_ellipse(f, SquareCell{}, SquareAxis::x, rho, 4000);
+    const double top = (rho - 1 / rho) / 4;
+    EXPECT_GE(found.bound, std::exp(4 * top * top) * (1 - 1e-12)) << rho;
+    EXPECT_LE(found.bound, 4 * std::exp(4 * top * top)) << rho;
+  }
 }
 
 TEST(IntegralOverSquares, HoldsTheErrorOfTheRuleInEitherVariable) {
