@@ -13,6 +13,8 @@
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/polynomial/rules/conical_rule.h"
 #include "radcert/reference/operator_integral.h"
+#include "radcert/scalar/ball.h"
+#include "radcert/scalar/ball_precision.h"
 #include "radcert/solve/estimated_contraction.h"
 #include "radcert/study/collocation/nodal_function.h"
 #include "radcert/study/study.h"
@@ -302,6 +304,63 @@ TEST(SolveLevel, CoversTheErrorsOfTheRouteByEverySolver) {
     EXPECT_GE(radius, 2 * e / std::numbers::pi * 0.999);
     EXPECT_LE(radius, 2 * e / std::numbers::pi * 1.001);
   }
+}
+
+// The kernel's integrals are off by some roundings of what they are times max |u|, and by no more.
+TEST(SolveLevel, ScalesTheRadiusOfTheErrorWithTheSolution) {
+  const auto radius = [](const std::string& u, double integral) {
+    return solve_level(with_solution(sample_problem("cube"), u), 0, constant_route(integral))
+        .result.discretisation_error->radius;
+  };
+  const double of_one = radius("1", std::numbers::pi);
+  EXPECT_GT(of_one, 0);
+  EXPECT_EQ(radius("1048576", 0x1p20 * std::numbers::pi), 0x1p20 * of_one);
+  EXPECT_EQ(radius("1/1048576", 0x1p-20 * std::numbers::pi), 0x1p-20 * of_one);
+}
+
+// With u = 1 and a route that gives V exactly, Ku - K P_n u is rho (V/pi - 1). Of the rho and V that were
+// tried these lose most, 2.3 units of Ku, of which one counts as the rounding of rho.
+TEST(SolveLevel, CoversTheRoundingOfKu) {
+  const BallPrecision scope(200);
+  for (const auto& [rho, factor] :
+       {std::pair{Rational(405, 1024), 0x1.fd0cf31a758d5p0}, {Rational(849, 1024), 0x1.e6605e0dde78cp0}}) {
+    const double integral = factor * 0x1p40;
+    const auto route = [&](const Surface&, const SurfaceFunction&) {
+      return [&](const SurfacePoint<double>&) { return Approximation{integral, 0}; };
+    };
+    Problem problem = sample_problem("cube");
+    problem.reflectivity = everywhere(rho.to_text());
+    const Approximation error = *solve_level(problem, 0, route).result.discretisation_error;
+    const Ball exact = Ball(rho) * (Ball(integral) / Ball::pi() - Ball(1));
+    EXPECT_TRUE(certainly_at_most(abs(Ball(error.value) - exact), Ball(error.radius))) << rho.to_text();
+  }
+}
+
+// Nothing is reflected, so that u_n is u at the nodes: 1 + x + 10^9 - 10^9, which loses 6e-8.
+TEST(SolveLevel, CoversTheRoundingOfTheSolutionThatIsGiven) {
+  Problem problem = with_solution(sample_problem("cube"), "(1 + x + 1000000000) - 1000000000");
+  problem.reflectivity = everywhere("0");
+  double largest = 0;
+  for (const NodeValue& node : solve_level(problem, 0, constant_route(0)).nodes) {
+    const double off = std::abs(node.u_n.value - (1 + node.point.x));
+    EXPECT_LE(off, node.u_n.radius);
+    EXPECT_LT(node.u_n.radius, 1e-5);
+    largest = std::max(largest, off);
+  }
+  EXPECT_GT(largest, 1e-8);
+}
+
+// A furnace: u = 1, for rho = 1/2 and E = 1/2. What is computed of rho is off by 1e-8 and more.
+TEST(SolveLevel, CoversTheRoundingOfTheReflectivity) {
+  Problem problem = with_emission(sample_problem("cube"), "1/2");
+  problem.reflectivity = everywhere("(1/2 + x + 1000000000) - 1000000000 - x");
+  double largest = 0;
+  for (const NodeValue& node : solve_level(problem, 0, no_route).nodes) {
+    EXPECT_LE(std::abs(node.u_n.value - 1), node.u_n.radius);
+    EXPECT_LT(node.u_n.radius, 1e-4);
+    largest = std::max(largest, std::abs(node.u_n.value - 1));
+  }
+  EXPECT_GT(largest, 1e-8);
 }
 
 TEST(SolveLevel, RefusesAnIterationWithoutAContraction) {
