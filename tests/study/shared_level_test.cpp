@@ -105,6 +105,26 @@ TEST(SharedLevel, HasItsNumbersWithoutAnybodyHavingAllOfIt) {
   }
 }
 
+// The rows are known worst in the west, which is the first rank's, and u on the ceiling, which is the last one's.
+TEST(SharedLevel, TakesTheRadiusOfTheDataFromAllRanks) {
+  Problem problem = in_clusters(with_basis(sample_problem("cube"), 1, Rational(1, 6)));
+  problem.reflectivity = testing::by_piece({{"west", "3/4"}, {"*", "1/16"}});
+  problem.solution = testing::by_piece({{"ceiling", "(1 + x + 1000000000) - 1000000000"}, {"*", "1"}});
+  const OperatorRoute no_light = [](const Surface&, const SurfaceFunction&) {
+    return [](const SurfacePoint<double>&) { return Approximation{0, 0}; };
+  };
+  const LevelOutcome one = solve_level(problem, 1, no_light);
+  EXPECT_EQ(one.result.matrix_form, "h2");
+  LevelOutcome two;
+  ThreadRanks::run(2, [&](const Ranks& ranks) {
+    LevelOutcome own = solve_level(problem, 1, no_light, {.ranks = ranks});
+    if (ranks.is_first()) two = std::move(own);
+  });
+  EXPECT_GT(one.result.discretisation_error->radius, 1e-7);
+  EXPECT_LT(one.result.discretisation_error->radius, 1e-4);
+  expect_equal(two.result.discretisation_error, one.result.discretisation_error);
+}
+
 /// Keeps numbers, and stops the work after so many times.
 class StoppingMemory final : public KeptNumbers {
 public:
