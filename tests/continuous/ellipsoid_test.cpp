@@ -560,6 +560,24 @@ TEST(BoundBetween, IsAttainedOnAGreatCircle) {
     }
 }
 
+TEST(EllipsoidTransport, CountsWhatDirectionsAreOffBy) {
+  // |A d|^-4 changes by 4/a of itself where d is moved across the shortest half axis a, and its mean is that of
+  // T 1 = 1: directions that are off by the displacement move T w by 4/a of it times max |w - c|.
+  for (const Rational& a : {Rational(1), Rational(1, 2), Rational(1, 4)}) {
+    const Vector<Rational> axes{1, 1, a};
+    const EllipsoidShape shape(axes);
+    const EllipsoidDensity w{.emission = along("x", axes), .reflectivity = {}, .reflected = {}};
+    const EllipsoidTransport transport(shape, w, 1e-15);
+    ASSERT_TRUE(transport.exists());
+    const double moved = 4 * sphere_displacement / a.to_double() * w.variation(0);
+    for (const Vector<double>& p : {Vector<double>{1, 0, 0}, {0, 0, 1}, {0.6, 0, 0.8}}) {
+      const double radius = transport(p).radius;
+      EXPECT_GE(radius, moved) << a.to_double();
+      EXPECT_LE(radius, 2 * moved) << a.to_double();
+    }
+  }
+}
+
 TEST(SphereRule, MissesNoLessThanGaussRuleMayMiss) {
   // Of functions that are bounded by 1 on meridians, and constant on rows.
   for (const double strip : {0.5, 1.0, 3.0})
@@ -595,6 +613,44 @@ TEST(SurfaceMean, IsTheMeanOverTheSurface) {
       EXPECT_LT(mean.radius, 10 * tolerance + 1e-12);
     }
   }
+}
+
+TEST(SurfaceMean, CountsWhatTheAreaIsOffBy) {
+  // The harmonics of degree 2 that are even and odd in y have the same bounds around the sphere, hence the same
+  // rule, which misses e of the integral of either and e/V of the area, V the bound on the sphere. The odd one
+  // has the mean 0, and the other part = mean - c: an area that is off by e/V moves it by part e/V.
+  const EllipsoidShape shape({1, 1, 4});
+  const auto mean_of = [&](std::size_t place, double tolerance) {
+    std::vector<double> harmonics(9, 0.0);
+    harmonics[place] = 1;
+    const EllipsoidDensity w{.emission = SpherePolynomial(2, harmonics), .reflectivity = {}, .reflected = {}};
+    EXPECT_NEAR(w.variation(0), std::sqrt(5.0), 1e-11);
+    EXPECT_EQ(w.constant(), 0);
+    return surface_mean(shape, w, tolerance);
+  };
+  for (const double tolerance : {1e-2, 1e-3, 1e-5}) {
+    const Approximation even = mean_of(6, tolerance);
+    const Approximation odd = mean_of(4, tolerance);
+    EXPECT_GT(std::abs(even.value), 0.2);
+    EXPECT_LT(std::abs(odd.value), 1e-14);
+    EXPECT_GE(even.radius, odd.radius * (1 + 0.999 * std::abs(even.value) / std::sqrt(5.0))) << tolerance;
+  }
+}
+
+TEST(SurfaceMean, CountsItsRoundings) {
+  // Harmonics have the mean 0 on a sphere. A rule that misses nothing worth naming leaves their roundings, of
+  // which the mean itself is too small to tell.
+  int rounded = 0;
+  for (std::size_t place = 1; place < 49; ++place) {
+    std::vector<double> harmonics(49, 0.0);
+    harmonics[place] = 1;
+    const EllipsoidDensity w{.emission = SpherePolynomial(6, harmonics), .reflectivity = {}, .reflected = {}};
+    const Approximation mean = surface_mean(EllipsoidShape({1, 1, 1}), w, 1e-25);
+    ASSERT_LT(mean.radius, 1e-11);
+    EXPECT_LE(std::abs(mean.value), mean.radius) << place;
+    rounded += std::abs(mean.value) > 1e-20 ? 1 : 0;
+  }
+  EXPECT_GT(rounded, 10);
 }
 
 TEST(SurfaceMean, BoundsWhatCoarseRulesMiss) {
