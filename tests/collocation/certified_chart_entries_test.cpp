@@ -13,6 +13,7 @@
 
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/collocation/certified/certified_operator.h"
+#include "radcert/collocation/certified/lagrange_on_elements.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/nodes/lattice.h"
@@ -300,6 +301,31 @@ TEST(CertifiedKernelSums, ContainTheClosedFormOfPlaneElements) {
   EXPECT_LT(widest, 1e-13);
 }
 
+// With the nodes (1/4, 3/8, 3/8) and their like l_1 = -5 x_1 + 3 x_2 + 3 x_3: the largest coefficient is a
+// negative one, and l_1 is as large as the bound at a corner and nearly so on the line beyond it.
+TEST(LagrangeOnElements, AreNotBeyondTheirBound) {
+  std::vector<Barycentric<Rational>> nodes(3);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) nodes[i].x[k] = i == k ? q(1, 4) : q(3, 8);
+  const LagrangeFunctions functions = lagrange_functions(nodes).value();
+  const LagrangeOnElements on_elements(functions);
+  for (const Rational& beyond : {Rational(0), q(1, 64), Rational(1), Rational(40)}) {
+    const std::array<Rational, 3> x{1 + beyond, -beyond, 0};
+    ElementPoint<TaylorModel> of_models;
+    ElementPoint<BoundedDouble> of_doubles;
+    for (std::size_t k = 0; k < 3; ++k) {
+      of_models.in_element.x[k] = TaylorModel(x[k]);
+      of_doubles.in_element.x[k] = from_rational<BoundedDouble>(x[k]);
+    }
+    const double largest = (5 + 8 * beyond).to_double();
+    EXPECT_GE(on_elements.bound(of_models), largest);
+    EXPECT_LE(on_elements.bound(of_models), (5 + 10 * beyond).to_double() * (1 + 1e-12));
+    std::array<BoundedDouble, 3> values;
+    on_elements.values(of_doubles, values);
+    EXPECT_EQ(values[0].value(), -largest);
+  }
+}
+
 TEST(CertifiedChartEntries, AreWithinTheDemandAndHoldTheReflectivity) {
   const Surface surface = two_piece(2);
   const Triangulation triangulation = triangulate(surface, 0);
@@ -368,6 +394,25 @@ TEST(CertifiedCollocation, IsTheMatrixAndTheOperator) {
     return sqrt(x * x);
   });
   EXPECT_FALSE(certified_collocation(surface, triangulation, functions, kink, 1, wanted).has_value());
+}
+
+TEST(CertifiedCollocation, HasIntegralsThatScaleWithTheDensity) {
+  const Surface surface = two_piece(2);
+  const std::vector<ParameterTriangle> all = triangulate(surface, 0).triangles;
+  const Triangulation triangulation{{all.front(), all.back()}};
+  const LagrangeFunctions functions = inset_functions(0, 0);
+  const auto integrals = [&](int factor) {
+    const DensityFormula u = density([factor]<Real R>(const DensityPoint<R>& p) {
+      return from_rational<R>(Rational(factor)) * (1 + p.point.x / 4);
+    });
+    return certified_collocation(surface, triangulation, functions, u, 1.25 * factor, 1e-3).value().integrals;
+  };
+  const CertifiedValues small = integrals(1);
+  const CertifiedValues large = integrals(1024);
+  for (std::size_t i = 0; i < small.values.size(); ++i) {
+    EXPECT_LE(std::abs(large.values[i] - 1024 * small.values[i]), large.radius[i] + 1024 * small.radius[i]);
+    EXPECT_NEAR(large.radius[i], 1024 * small.radius[i], 1024e-3 * small.radius[i]) << i;
+  }
 }
 
 /// Within a closed surface the kernel sums to pi.

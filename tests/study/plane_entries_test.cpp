@@ -73,6 +73,23 @@ TEST(PlaneEntries, OfBothRoutesHaveCommonPoints) {
   }
 }
 
+TEST(PlaneEntries, InBallsHaveRowsThatContainOne) {
+  // On a closed convex surface each row has the sum 1, and doubles that are rounded have not.
+  const std::vector<PlaneChart> elements = elements_of(surface("tetrahedron"));
+  const CertifiedEntries entries =
+      plane_entries_in_balls(elements, lagrange_functions(inset_nodes(1, Rational(1, 6))).value()).value();
+  for (std::size_t i = 0; i < entries.entries.rows(); ++i) {
+    Rational sum = 0;
+    Rational radius = 0;
+    for (std::size_t j = 0; j < entries.entries.columns(); ++j) {
+      sum += Rational::exactly(entries.entries(i, j));
+      radius += Rational::exactly(entries.radius(i, j));
+    }
+    EXPECT_LE(abs(sum - Rational(1)), radius) << i;
+    EXPECT_LE(radius.to_double(), 1e-15) << i;
+  }
+}
+
 TEST(PlaneOperator, AppliesToTheFunctionsOfTheBasisAsTheirEntriesSay) {
   // sum_j k_ij u(v_j) = Ku(v_i) where u is a polynomial of the basis.
   const Surface s = surface("tetrahedron");

@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
+#include "radcert/collocation/certified/lagrange_on_elements.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
-#include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/quadrature/certified/certified_kernel_sums.h"
 #include "radcert/scalar/enclosing_text.h"
 
@@ -19,70 +19,6 @@ namespace radcert {
 namespace {
 
 constexpr double unit = unit_roundoff<double>();
-constexpr int largest_degree = 8;
-
-/// l_j by Bernstein polynomials.
-class LagrangeOnElements final : public ElementFunctions {
-public:
-  explicit LagrangeOnElements(const LagrangeFunctions& functions)
-      : functions_(functions), indices_(lattice_indices(functions.degree())) {
-    const auto factorial = [](int n) {
-      Rational product = 1;
-      for (int i = 2; i <= n; ++i) product *= Rational(i);
-      return product;
-    };
-    Rational largest = 0;
-    for (std::size_t j = 0; j < functions.size(); ++j) {
-      const std::span<const Rational> c = functions.bernstein_coefficients(j);
-      for (std::size_t k = 0; k < indices_.size(); ++k) {
-        const auto [k1, k2, k3] = indices_[k];
-        const Rational multinomial =
-            factorial(functions.degree()) / (factorial(k1) * factorial(k2) * factorial(k3));
-        coefficients_.push_back(from_rational<BoundedDouble>(c[k] * multinomial));
-        largest = std::max(largest, abs(c[k]));
-      }
-    }
-    largest_ = largest.to_double() * (1 + 4 * unit);
-  }
-
-  std::size_t size() const override { return functions_.size(); }
-
-  void values(const ElementPoint<BoundedDouble>& at, std::span<BoundedDouble> out) const override {
-    std::array<std::array<BoundedDouble, largest_degree + 1>, 3> powers;
-    for (std::size_t i = 0; i < 3; ++i) {
-      powers[i][0] = 1;
-      for (int k = 1; k <= functions_.degree(); ++k) {
-        const auto place = static_cast<std::size_t>(k);
-        powers[i][place] = powers[i][place - 1] * at.in_element.x[i];
-      }
-    }
-    for (BoundedDouble& value : out) value = 0;
-    for (std::size_t k = 0; k < indices_.size(); ++k) {
-      const auto [k1, k2, k3] = indices_[k];
-      const BoundedDouble monomial = powers[0][static_cast<std::size_t>(k1)] *
-                                     powers[1][static_cast<std::size_t>(k2)] *
-                                     powers[2][static_cast<std::size_t>(k3)];
-      for (std::size_t j = 0; j < size(); ++j)
-        out[j] = out[j] + coefficients_[j * indices_.size() + k] * monomial;
-    }
-  }
-
-  /// |l_j| <= max |c_k| sum_k multinomial |x_1|^k_1 |x_2|^k_2 |x_3|^k_3 = max |c_k| (|x_1| + |x_2| +
-  /// |x_3|)^r.
-  double bound(const ElementPoint<TaylorModel>& at) const override {
-    double sum = 0;
-    for (const TaylorModel& x : at.in_element.x) sum += x.magnitude_bound();
-    double product = largest_;
-    for (int k = 0; k < functions_.degree(); ++k) product *= sum * (1 + 4 * unit);
-    return product * (1 + 32 * unit);
-  }
-
-private:
-  const LagrangeFunctions& functions_;
-  std::vector<std::array<int, 3>> indices_;
-  std::vector<BoundedDouble> coefficients_;  ///< of the monomials, for each j in turn
-  double largest_ = 0;
-};
 
 /// The functions of the elements, and a density divided by a power of two.
 class LagrangeAndDensity final : public ElementFunctions {
