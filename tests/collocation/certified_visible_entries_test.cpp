@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/closed_form/plane_element.h"
 #include "radcert/closed_form/point_to_polygon.h"
 #include "radcert/collocation/assembly.h"
 #include "radcert/collocation/nodes.h"
@@ -170,6 +171,29 @@ TEST(CertifiedVisibleEntries, EncloseTheClosedFormLessThatOfAShadow) {
           }
       }
     }
+}
+
+TEST(CertifiedVisibleEntries, CountTheRoundingsOfSumsOverManyParts) {
+  // Two dozen slats leave strips of the ceiling that are about as large as each other: the sum over them is rounded
+  // once a strip, by a unit of what is reached of it, which makes half as many units of the whole as there are
+  // strips. Without them the accuracy of the integrals and five units for the entry would be all.
+  sample::Polyhedron bodies{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-4, -4, 1}, {-4, 8, 1}, {8, -4, 1}},
+                            {{0, 1, 2}, {3, 4, 5}}};
+  for (int k = -12; k < 12; ++k) {
+    const double low = 0.09375 * k;
+    const std::size_t first = bodies.vertices.size();
+    for (const auto& [x, y] :
+         {std::pair{-8.0, low}, {8.0, low}, {8.0, low + 0.046875}, {-8.0, low + 0.046875}})
+      bodies.vertices.push_back({x, y, 0.5});
+    bodies.faces.push_back({first, first + 1, first + 2, first + 3});
+  }
+  const Scene scene(sample::fans_of(bodies));
+  const Elements elements{{.triangle = 0}, {.triangle = 1}};
+  const CertifiedEntries matrix = entries_of(scene, elements, inset_functions(0, 0));
+  constexpr double unit = unit_roundoff<double>();
+  EXPECT_GT(matrix.entries(0, 1), 0.2);
+  EXPECT_GE(matrix.radius(0, 1), matrix.entries(0, 1) * (PlaneElement::usual_accuracy + 9 * unit));
+  EXPECT_LE(matrix.radius(0, 1), matrix.entries(0, 1) * (PlaneElement::usual_accuracy + 30 * unit));
 }
 
 TEST(CertifiedVisibleEntries, AgreeWithTheRoundedMatrix) {
