@@ -91,6 +91,25 @@ TEST(AlgebraicNumber, IsEnclosedAtAnyPrecision) {
   EXPECT_THROW(AlgebraicNumber(two, {.lower = -2, .upper = 2}), ContractViolation);
 }
 
+// M of the zeros of x^2 - n is n, which the bound exceeds by as little as 1/(2 n^2).
+TEST(AlgebraicNumber, HasAMeasureThatItsBoundReaches) {
+  for (const int n : {2, 3, 10, 1000}) {
+    const Ball bound = root_of(n).log_measure();
+    EXPECT_TRUE(certainly_less(log(Ball(n)), bound)) << n;
+    EXPECT_TRUE(certainly_less(bound, log(Ball(n)) + Ball(Rational(1, n * n)))) << n;
+  }
+}
+
+// h of the root of n is log(n)/2, and the root of 2 with a zero of a cubic polynomial make a field of degree 6.
+TEST(AlgebraicField, BoundsHeightsTimesItsDegree) {
+  const AlgebraicField field({root_of(1000), zero_of(polynomial({-1000, -1, 0, 1}), 1, 20)});
+  EXPECT_TRUE(certainly_less(Ball(3) * log(Ball(1000)), field.height(0)));
+  EXPECT_TRUE(certainly_less(field.height(0), Ball(Rational(301, 100)) * log(Ball(1000))));
+  // All zeros of x^3 - x - 1000 are larger than 1, so that M = 1000.
+  EXPECT_TRUE(certainly_less(Ball(2) * log(Ball(1000)), field.height(1)));
+  EXPECT_TRUE(certainly_less(field.height(1), Ball(Rational(201, 100)) * log(Ball(1000))));
+}
+
 TEST(AlgebraicField, DecidesSigns) {
   const AlgebraicField field({root_of(2), root_of(3), root_of(6)});
   const auto two = AlgebraicExpression::number(0);

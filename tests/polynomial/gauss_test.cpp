@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/work_limit.h"
+#include "radcert/scalar/ball_precision.h"
 #include "tests/laws/rule_laws.h"
 
 namespace radcert {
@@ -123,6 +126,28 @@ TEST(GaussRule, InDoubleIsTheLongDoubleOneRounded) {
         EXPECT_EQ(rule.weights[i], static_cast<double>(truth.weights[i]));
       }
     }
+}
+
+// Newton's operator encloses a zero however few steps were taken to it: from a double it leaves the square of
+// what that is off by.
+TEST(GaussRule, EnclosesItsZerosAfterAnyNumberOfSteps) {
+  const BallPrecision scope(400);
+  for (const int points : {2, 3, 7, 20}) {
+    const IntervalRule<Ball> sharp = gauss_rule<Ball>(points, IntervalWeight::variable);
+    const std::vector<const WorkLimit*> limits = work_limits();
+    const auto steps = std::ranges::find(limits, "polynomial/gauss: doublings of an enclosed zero's digits",
+                                         &WorkLimit::name);
+    ASSERT_NE(steps, limits.end());
+    for (const long taken : {0, 1, 2}) {
+      const LoweredWorkLimit lowered(**steps, taken);
+      const IntervalRule<Ball> rule = gauss_rule<Ball>(points, IntervalWeight::variable);
+      for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+        EXPECT_TRUE(overlaps(rule.nodes[i], sharp.nodes[i])) << points << " " << taken;
+        EXPECT_TRUE(overlaps(rule.weights[i], sharp.weights[i])) << points << " " << taken;
+        EXPECT_LT(rule.nodes[i].radius(), 1e-25) << points << " " << taken;
+      }
+    }
+  }
 }
 
 TEST(GaussRule, RefusesNoPointsAndTooMany) {

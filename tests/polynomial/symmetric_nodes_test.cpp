@@ -126,6 +126,28 @@ TEST(Certify, RefusesWhatIsNotSo) {
   EXPECT_THROW(static_cast<void>(certify({.degree = 2, .precision = 1, .orbits = {}}, 1)), ContractViolation);
 }
 
+// The nodes with the coordinates 2/3, 1/6, 1/6 are exact for degree 2. At them (x_1 - 1/6)(x_2 - x_3) vanishes, so
+// that they determine no function of the space that it spans with 1 and x_1; nodes beside them do.
+TEST(Certify, RefusesNodesThatAreNotUnisolvent) {
+  const SymmetricNodes beside{
+      .degree = 2, .precision = 2, .orbits = {{.size = 3, .a = Rational(1, 6) + ten_to_minus(40)}}};
+  PlanePolynomial<Rational> one(0);
+  one(0, 0) = 1;
+  PlanePolynomial<Rational> first(1);
+  first(0, 0) = 1, first(1, 0) = -1, first(0, 1) = -1;
+  PlanePolynomial<Rational> vanishing(2);  // (5/6 - s - t)(t - s)
+  vanishing(0, 1) = Rational(5, 6), vanishing(1, 0) = Rational(-5, 6), vanishing(2, 0) = 1,
+               vanishing(0, 2) = -1;
+  const std::vector<PlanePolynomial<Rational>> space{one, first, vanishing};
+  const Outcome<SymmetricCertificate> proof = certify(beside, ten_to_minus(30), space);
+  ASSERT_FALSE(proof);
+  EXPECT_EQ(proof.reason(), "the true nodes are not certainly unisolvent");
+  PlanePolynomial<Rational> other = vanishing;
+  other(0, 1) = 1;
+  const std::vector<PlanePolynomial<Rational>> sound{one, first, other};
+  EXPECT_TRUE(certify(beside, ten_to_minus(30), sound));
+}
+
 // The zero is unique in the box: it encloses the digits of the set that comes with radcert.
 TEST(Certify, EnclosesTheSameNodesFromAFarStart) {
   const BallPrecision scope(256);

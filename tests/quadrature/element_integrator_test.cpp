@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <numbers>
 
 #include "radcert/surface/catalogue/box.h"
 #include "radcert/surface/catalogue/cylinder.h"
@@ -325,6 +327,43 @@ TEST(ElementIntegrator, KeepsACoarserToleranceWithFewerPoints) {
         EXPECT_LE(largest_error[i], tolerance * row[i]) << surface.name << " " << tolerance;
     }
   }
+}
+
+/// The largest |(Q - P).n_P| R^3 / |P - Q|^4 over complex Q on the chords of the unit ball through its centre, z in
+/// the Bernstein ellipse rho, P at the distance R and n_P towards the centre.
+double largest_on_ellipse(double distance, double rho) {
+  constexpr int around = 64;
+  double largest = 0;
+  for (const double angle : {0.0, 0.2, 1.0})
+    for (int k = 0; k < around; ++k) {
+      const std::complex<double> turned = std::polar(rho, 2 * std::numbers::pi * k / around);
+      const std::complex<double> z = 0.5 * (turned + 1.0 / turned);
+      const std::complex<double> along = distance * std::cos(angle) - z;
+      const std::complex<double> squared = along * along + std::pow(distance * std::sin(angle), 2);
+      largest = std::max(
+          largest, std::abs(distance - z * std::cos(angle)) * std::pow(distance, 3) / std::norm(squared));
+    }
+  return largest;
+}
+
+TEST(FlatRuleBound, IsThatOfTheBestEllipseForTheKernelItself) {
+  // What the bound is made of: twice 2 M rho^-m/(rho-1), m = 2n - 1 - d, for two variables, M the largest value
+  // of the kernel. P in the line of a chord comes as near to it as the bound says, but for sqrt(1 + g^2) in place
+  // of g; the bound takes the largest (Q - P).n_P at the nearest Q, which is (1 + theta)/(1 - theta) too
+  // much.
+  for (const double eta : {8.0, 16.0, 64.0})
+    for (const int degree : {0, 2})
+      for (const int n : {3, 5, 8}) {
+        double least = HUGE_VAL;
+        for (double rho = 1.05; rho < 2 * eta; rho *= 1.01) {
+          const double g = 0.5 * (rho + 1 / rho);
+          if (g >= eta) break;
+          least = std::min(
+              least, 2 * 4 * largest_on_ellipse(eta, rho) * std::pow(rho, degree - (2 * n - 1)) / (rho - 1));
+        }
+        EXPECT_GE(flat_rule_bound(n, degree, eta), least) << eta << " " << degree << " " << n;
+        EXPECT_LE(flat_rule_bound(n, degree, eta), 16 * least) << eta << " " << degree << " " << n;
+      }
 }
 
 TEST(FlatRuleBound, LiesAboveTheErrorAndDecays) {
