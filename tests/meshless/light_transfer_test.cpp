@@ -244,6 +244,24 @@ TEST(NeumannSeries, CountsTheRoundingsOfThePowerThatContracts) {
   EXPECT_GE(Rational(100) * off, Rational::exactly(solution->error_bound));
 }
 
+TEST(NeumannSeries, CountsTheRoundingsOfItsSteps) {
+  // x = e + k x: the steps end where a rounding takes back what they add, some units from e / (1 - k), and
+  // the last of them changes nothing.
+  for (const double k : {0.99, 0.9, 0.75})
+    for (const double e : {0.1, 0.3, 0.7}) {
+      const auto series = NeumannSeries::make(matrix_of(1, {k}));
+      ASSERT_TRUE(series);
+      const Rational exact = Rational::exactly(e) / (1 - Rational::exactly(k));
+      for (const double tolerance : {0x1p-51, 0x1p-45, 0x1p-42}) {
+        const auto solution = series->solve(std::array{e}, tolerance);
+        if (!solution) continue;
+        EXPECT_LE(abs(exact - Rational::exactly(solution->values[0])),
+                  Rational::exactly(solution->error_bound))
+            << k << " " << e << " " << tolerance;
+      }
+    }
+}
+
 TEST(NeumannSeries, RefusesWhatDiverges) {
   const auto swap = NeumannSeries::make(matrix_of(2, {0, 4, 1, 0}));
   ASSERT_FALSE(swap);

@@ -150,6 +150,37 @@ TEST(GaussRule, EnclosesItsZerosAfterAnyNumberOfSteps) {
   }
 }
 
+// Without a step the interval X reaches from the double twice as far as the zero is from it, and counts where
+// Newton's operator has its image in X: the slope's bound, which widens with the points, decides about it.
+TEST(GaussRule, HasNoZeroThatWasNotIsolated) {
+  const BallPrecision scope(400);
+  int failed = 0;
+  int found = 0;
+  for (const int points : {48, 50}) {
+    const IntervalRule<Ball> sharp = gauss_rule<Ball>(points, IntervalWeight::variable);
+    const IntervalRule<double> starts = gauss_rule<double>(points, IntervalWeight::variable);
+    const std::vector<const WorkLimit*> limits = work_limits();
+    const auto steps = std::ranges::find(limits, "polynomial/gauss: doublings of an enclosed zero's digits",
+                                         &WorkLimit::name);
+    ASSERT_NE(steps, limits.end());
+    const LoweredWorkLimit none(**steps, 0);
+    const IntervalRule<Ball> rule = gauss_rule<Ball>(points, IntervalWeight::variable);
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+      if (!rule.nodes[i].is_finite()) {
+        ++failed;
+        continue;
+      }
+      ++found;
+      const Ball start(2 * starts.nodes[i] - 1);
+      const Ball reach = Ball(2 + 0x1p-20) * abs(start - (Ball(2) * sharp.nodes[i] - Ball(1)));
+      EXPECT_TRUE(certainly_at_most(abs(Ball(2) * rule.nodes[i] - Ball(1) - start), reach))
+          << points << " " << i;
+    }
+  }
+  EXPECT_GT(failed, 0);
+  EXPECT_GT(found, 0);
+}
+
 TEST(GaussRule, RefusesNoPointsAndTooMany) {
   for (const int n : {-1, 0, 193}) {
     EXPECT_THROW(gauss_rule<double>(n, IntervalWeight::one), ContractViolation);
