@@ -10,6 +10,8 @@
 #include <random>
 #include <span>
 
+#include "radcert/clusters/cluster_pairs.h"
+#include "radcert/clusters/mode_tables.h"
 #include "radcert/collocation/assembly.h"
 #include "radcert/collocation/nodes.h"
 #include "radcert/core/contract.h"
@@ -137,6 +139,32 @@ void expect_agreement(const Discretisation& d, double tolerance, int refinements
   }
   constexpr double near_and_rounding = 1e-11;
   EXPECT_LE(largest_radius, tolerance + near_and_rounding) << where;
+}
+
+// A row's radius is at least what its couplings leave out and the rounding of a product: beside them there is no
+// more than the radii of near entries, which on the sphere are a part of that rounding.
+TEST(ClusterOperator, CountsWhatCouplingsLeaveOutAndRound) {
+  const Discretisation d(sphere(), 2, 1);
+  constexpr double tolerance = 1e-3;
+  const ClusterOperator k = d.clusters(tolerance, 0);
+  const ClusterTree tree = ClusterTree::make(d.triangulation, d.level, 0).value();
+  const ClusterPart part(tree);
+  const CouplingDemand demand{.share = ClusterTolerance(tolerance).share(tree.levels()),
+                              .functions_size = size_of_functions(d.basis),
+                              .largest_degree = ClusterTolerance(tolerance).largest_degree(),
+                              .nodes = d.basis.nodes()};
+  const ClusterPairs pairs =
+      divide_pairs(d.surface.charts, tree, part, demand, [](std::size_t, std::size_t) { return false; });
+  const std::vector<double> left_out = truncation_of_leaves(part, pairs.far);
+  // So that the first shares are the last.
+  ASSERT_LE(*std::max_element(left_out.begin(), left_out.end()), tolerance);
+  const std::size_t unknowns = d.size() / left_out.size();
+  for (std::size_t i = 0; i < d.size(); ++i) {
+    const double counted = d.rho[i] * (left_out[i / unknowns] + k.rounding());
+    // The sum itself is rounded.
+    EXPECT_GE(k.row_radius()[i], counted * (1 - 0x1p-52)) << i;
+    EXPECT_LE(k.row_radius()[i], counted + d.rho[i] * k.rounding()) << i;
+  }
 }
 
 TEST(ClusterOperator, AgreesWithTheDenseMatrixForEveryDegree) {

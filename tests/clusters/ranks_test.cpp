@@ -9,6 +9,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/solve/gmres.h"
 #include "radcert/surface/catalogue/box.h"
+#include "radcert/surface/catalogue/cylinder.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "tests/thread_ranks.h"
 
@@ -95,6 +96,16 @@ TEST(Ranks, MakeTheSameBitsAsOne) {
       EXPECT_LT(many.largest_part, 2 * one.largest_part / count) << surface.name << " " << count;
     }
   }
+}
+
+// On the mantle, which is the second of two ranks', rows leave out a quarter more at first than they may, and on the
+// disks they do not: the shares of both ranks are reduced.
+TEST(Ranks, ReduceTheirSharesTogether) {
+  const Surface surface = cylinder(1, 2);
+  const Made one = made_by(1, surface, 2, 0, 1e-3);
+  const Made two = made_by(2, surface, 2, 0, 1e-3);
+  EXPECT_EQ(two.radius, one.radius);
+  EXPECT_EQ(two.product, one.product);
 }
 
 TEST(Ranks, HaveEachClusterBelowTheCutOnce) {
