@@ -43,7 +43,7 @@ class ModuleTest(unittest.TestCase):
         """What the program writes as JSON."""
         done = subprocess.run([os.environ["RADCERT"], *map(str, words), "--json", "-", "--quiet"], cwd=self.folder,
                               env={**os.environ, "RADCERT_STORE": str(self.folder / "store")}, capture_output=True,
-                              timeout=300, check=True)
+                              timeout=1400, check=True)
         return json.loads(done.stdout)
 
 

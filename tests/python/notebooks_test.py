@@ -13,7 +13,7 @@ NOTEBOOKS = sorted((EXAMPLES / "notebooks").glob("*.py"))
 
 
 def run(notebook, *words):
-    return subprocess.run([sys.executable, "-B", RUNNER, notebook, *words], capture_output=True, text=True, timeout=300,
+    return subprocess.run([sys.executable, "-B", RUNNER, notebook, *words], capture_output=True, text=True, timeout=1400,
                           check=False)
 
 
