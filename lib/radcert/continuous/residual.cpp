@@ -12,6 +12,7 @@
 #include "radcert/continuous/elements/element_interpolation.h"
 #include "radcert/continuous/elements/gauss_tables.h"
 #include "radcert/continuous/occlusion/penumbra.h"
+#include "radcert/continuous/transport/cell_transport.h"
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
@@ -141,31 +142,30 @@ public:
         residuals_(residuals) {}
 
   [[nodiscard]] Share none() const { return Share(count_, residuals_); }
-  [[nodiscard]] Share of_cell(const ObserverCell& cell, const CellDemand& demand) const {
-    // What neither reflects nor sends takes no part in either sum.
-    if (trial_.rho(cell.element) == 0 && trial_.smoothness.density_size(cell.element) == 0) return none();
-    return cell.is_strip() ? of_strip(cell) : of_samples(cell, demand);
+  [[nodiscard]] std::vector<Share> of_cells(std::span<const ObserverCell> cells,
+                                            const CellDemand& demand) const {
+    std::vector<double> tolerances;
+    for (const ObserverCell& cell : cells)
+      tolerances.push_back(takes_part(cell) ? tolerance(cell, demand) : not_looked_at);
+    const std::vector<Samples> found = samples(cells, tolerances);
+    std::vector<Share> out;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      out.push_back(!takes_part(cells[c]) ? none()
+                    : cells[c].is_strip() ? of_strip(cells[c])
+                                          : of_samples(cells[c], found[c]));
+    return out;
   }
 
-  /// A bound of |t_0|, whose samples are wanted within a part of `allowed`.
-  [[nodiscard]] double largest(const ObserverCell& cell, double allowed) const {
-    if (cell.is_strip()) return trial_.smoothness.residual_size(cell.element) * upward;
-    const double gain = cell.nodes_s * cell.nodes_t;
-    const Samples found = samples(cell, std::min(0.05, 0.1 * allowed / (gain * trial_.smoothness.size())));
-    std::vector<double> residual(found.nodes);
-    visit(cell.element, cell.box, gauss_on_interval(cell.nodes_s), gauss_on_interval(cell.nodes_t),
-          [&](std::size_t place, double, std::span<const double>, std::span<const double> q) {
-            residual[place] = found.values[place * count_] - q[0];
-          });
-    const ElementInterpolation interpolation(cell.nodes_s, cell.nodes_t);
-    std::vector<double> coefficients(found.nodes);
-    interpolation.coefficients(residual, 1, coefficients);
-    double sum = 0;
-    for (const double c : coefficients) sum += std::abs(c);
-    return (sum + gain * found.radius + found.largest_shade() +
-            interpolation.rounding(trial_.smoothness.largest_residual(), 0) +
-            interpolation_gain(cell.nodes_s, cell.nodes_t) * cell.of_rules + cell.beside) *
-           upward;
+  /// Bounds of |t_0|, whose samples are wanted within a part of what is allowed.
+  [[nodiscard]] std::vector<double> largest(std::span<const ObserverCell> cells,
+                                            std::span<const double> allowed) const {
+    std::vector<double> tolerances;
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      tolerances.push_back(std::min(0.05, 0.1 * allowed[c] / (gain(cells[c]) * trial_.smoothness.size())));
+    const std::vector<Samples> found = samples(cells, tolerances);
+    std::vector<double> out;
+    for (std::size_t c = 0; c < cells.size(); ++c) out.push_back(largest(cells[c], found[c]));
+    return out;
   }
 
   /// Int w_k q_i over a part of an element, by i, k, by a rule that is exact for it.
@@ -243,34 +243,125 @@ private:
       return largest;
     }
   };
-  [[nodiscard]] Samples samples(const ObserverCell& cell, double tolerance) const {
-    const Sector& sector = trial_.sector(cell.element);
-    const std::array<Vector<double>, 4> corners = corners_of(sector, cell.box);
-    ObserverGroup group{.panel = sector.panel,
-                        .points = ElementInterpolation(cell.nodes_s, cell.nodes_t).points(sector, cell.box),
-                        .hull = {corners.begin(), corners.end()},
-                        .least_mass = shade_ == Shade::ignored ? negligible_mass : cell.least_mass,
-                        .by_points = shade_ == Shade::ignored};
-    const bool as_they_are = shade_ == Shade::ignored || trial_.scene.sight().is_open();
-    Found found = cell.closed   ? closed(cell, group, tolerance)
-                  : as_they_are ? Found{transport_(group, tolerance)}
-                                : half_shaded(group, tolerance);
-    const auto powers = static_cast<double>(trial_.q.degree() + 1);
-    const double rounding = 40 * powers * powers * unit * trial_.smoothness.largest_residual();
-    return {.values = std::move(found.values.values),
-            .radius = (found.values.radius + rounding + trial_.rounding) * upward,
-            .shade = std::move(found.shade),
-            .nodes = group.points.size()};
+  /// A cell that is given this tolerance has no samples.
+  static constexpr double not_looked_at = 0;
+
+  /// Not what neither reflects nor sends: it is in neither sum.
+  [[nodiscard]] bool takes_part(const ObserverCell& cell) const {
+    return trial_.rho(cell.element) != 0 || trial_.smoothness.density_size(cell.element) != 0;
   }
 
-  [[nodiscard]] Share of_samples(const ObserverCell& cell, const CellDemand& demand) const {
-    Share share = none();
+  static double gain(const ObserverCell& cell) { return cell.nodes_s * cell.nodes_t; }
+
+  /// Of samples, relative to w.
+  [[nodiscard]] double tolerance(const ObserverCell& cell, const CellDemand& demand) const {
     const double over = area(cell.element, cell.box);
     const double size = trial_.smoothness.size();
-    const double tolerance =
-        std::min({0.05, 0.5 * demand.interpolation / (std::sqrt(over) * size),
-                  0.15 * demand.quadrature / (over * trial_.smoothness.density_size(cell.element) * size)});
-    const Samples found = samples(cell, tolerance);
+    return std::min(
+        {0.05, 0.5 * demand.interpolation / (std::sqrt(over) * size),
+         0.15 * demand.quadrature / (over * trial_.smoothness.density_size(cell.element) * size)});
+  }
+
+  /// What is sent to the nodes of cells: by w alone, or by w and 1 where a part of T 1 = 1 is wanted.
+  [[nodiscard]] std::vector<Transport::Values> sent(std::span<const ObserverCell> cells,
+                                                    std::span<const double> tolerances) const {
+    std::vector<Transport::Values> out(cells.size());
+    const auto is_sampled = [&](std::size_t c) {
+      return !cells[c].is_strip() && tolerances[c] != not_looked_at;
+    };
+    if (!trial_.scene.sight().is_open()) {
+      for (std::size_t c = 0; c < cells.size(); ++c)
+        if (is_sampled(c)) out[c] = sent_past_panels(cells[c], tolerances[c]);
+      return out;
+    }
+    for (std::size_t begin = 0; begin < cells.size();) {
+      const std::size_t element = cells[begin].element;
+      std::size_t end = begin;
+      while (end < cells.size() && cells[end].element == element) ++end;
+      for (const bool closed : {false, true}) {
+        std::vector<std::size_t> places;
+        std::vector<CellNodes> wanted;
+        for (std::size_t c = begin; c < end; ++c)
+          if (cells[c].closed == closed && is_sampled(c)) {
+            places.push_back(c);
+            wanted.push_back({cells[c].box, cells[c].nodes_s, cells[c].nodes_t,
+                              closed ? 0.5 * tolerances[c] : tolerances[c]});
+          }
+        if (places.empty()) continue;
+        std::vector<Transport::Values> found =
+            closed ? transport_to_cells(transport_with_one_, element, wanted, panel_beyond(element))
+                   : transport_to_cells(transport_, element, wanted);
+        for (std::size_t k = 0; k < places.size(); ++k) out[places[k]] = std::move(found[k]);
+      }
+      begin = end;
+    }
+    return out;
+  }
+
+  [[nodiscard]] Transport::Values sent_past_panels(const ObserverCell& cell, double tolerance) const {
+    const Sector& sector = trial_.sector(cell.element);
+    const std::array<Vector<double>, 4> corners = corners_of(sector, cell.box);
+    const ObserverGroup group{
+        .panel = sector.panel,
+        .points = ElementInterpolation(cell.nodes_s, cell.nodes_t).points(sector, cell.box),
+        .hull = {corners.begin(), corners.end()},
+        .least_mass = shade_ == Shade::ignored ? negligible_mass : cell.least_mass,
+        .by_points = shade_ == Shade::ignored};
+    if (cell.closed) return transport_with_one_(group, 0.5 * tolerance, panel_beyond(cell.element));
+    return shade_ == Shade::ignored ? transport_(group, tolerance)
+                                    : transport_with_one_(group, 0.5 * tolerance);
+  }
+
+  /// The panel on the other side of an element's edge.
+  [[nodiscard]] std::size_t panel_beyond(std::size_t element) const {
+    return trial_.sector(*trial_.closure.mirror(element)).panel;
+  }
+
+  [[nodiscard]] std::vector<Samples> samples(std::span<const ObserverCell> cells,
+                                             std::span<const double> tolerances) const {
+    const auto powers = static_cast<double>(trial_.q.degree() + 1);
+    const double rounding = 40 * powers * powers * unit * trial_.smoothness.largest_residual();
+    const bool as_they_are = shade_ == Shade::ignored || trial_.scene.sight().is_open();
+    std::vector<Transport::Values> values = sent(cells, tolerances);
+    std::vector<Samples> out;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      if (values[c].values.empty()) {
+        out.emplace_back();
+        continue;
+      }
+      Found found = cells[c].closed ? closed(cells[c], values[c])
+                    : as_they_are   ? Found{std::move(values[c])}
+                                    : half_shaded(values[c]);
+      out.push_back({.values = std::move(found.values.values),
+                     .radius = (found.values.radius + rounding + trial_.rounding) * upward,
+                     .shade = std::move(found.shade),
+                     .nodes = static_cast<std::size_t>(cells[c].nodes_s * cells[c].nodes_t)});
+    }
+    return out;
+  }
+
+  /// A bound of |t_0| from its samples.
+  [[nodiscard]] double largest(const ObserverCell& cell, const Samples& found) const {
+    if (cell.is_strip()) return trial_.smoothness.residual_size(cell.element) * upward;
+    std::vector<double> residual(found.nodes);
+    visit(cell.element, cell.box, gauss_on_interval(cell.nodes_s), gauss_on_interval(cell.nodes_t),
+          [&](std::size_t place, double, std::span<const double>, std::span<const double> q) {
+            residual[place] = found.values[place * count_] - q[0];
+          });
+    const ElementInterpolation interpolation(cell.nodes_s, cell.nodes_t);
+    std::vector<double> coefficients(found.nodes);
+    interpolation.coefficients(residual, 1, coefficients);
+    double sum = 0;
+    for (const double c : coefficients) sum += std::abs(c);
+    return (sum + gain(cell) * found.radius + found.largest_shade() +
+            interpolation.rounding(trial_.smoothness.largest_residual(), 0) +
+            interpolation_gain(cell.nodes_s, cell.nodes_t) * cell.of_rules + cell.beside) *
+           upward;
+  }
+
+  [[nodiscard]] Share of_samples(const ObserverCell& cell, const Samples& found) const {
+    Share share = none();
+    const double over = area(cell.element, cell.box);
     const double rho = trial_.rho(cell.element);
     visit(cell.element, cell.box, gauss_on_interval(cell.nodes_s), gauss_on_interval(cell.nodes_t),
           [&](std::size_t place, double weight, std::span<const double> w, std::span<const double> q) {
@@ -302,13 +393,13 @@ private:
   };
 
   /// F_k + c_k (1 - F 1) of Penumbra.
-  [[nodiscard]] Found half_shaded(const ObserverGroup& group, double tolerance) const {
-    const Transport::Values found = transport_with_one_(group, 0.5 * tolerance);
+  [[nodiscard]] Found half_shaded(const Transport::Values& found) const {
+    const std::size_t points = found.values.size() / (count_ + 1);
     Penumbra::Rest rest = trial_.penumbra.rest(found.shaded);
-    Found out{.values = {.values = std::vector<double>(group.points.size() * count_),
+    Found out{.values = {.values = std::vector<double>(points * count_),
                          .radius = found.radius * (1 + trial_.smoothness.size()) * upward},
               .shade = std::move(rest.bounds)};
-    for (std::size_t p = 0; p < group.points.size(); ++p) {
+    for (std::size_t p = 0; p < points; ++p) {
       const double* const sent = &found.values[p * (count_ + 1)];
       for (std::size_t k = 0; k < count_; ++k)
         out.values.values[p * count_ + k] = sent[k] + rest.constants[k] * (1 - sent[count_]);
@@ -317,16 +408,15 @@ private:
   }
 
   /// F of Smoothness' closure: what the other panels send, and xi times the rest of T 1 = 1.
-  [[nodiscard]] Found closed(const ObserverCell& cell, const ObserverGroup& group, double tolerance) const {
+  [[nodiscard]] Found closed(const ObserverCell& cell, const Transport::Values& found) const {
     const IntervalRule<double>& rule_s = gauss_on_interval(cell.nodes_s);
     const IntervalRule<double>& rule_t = gauss_on_interval(cell.nodes_t);
     const std::size_t mirror = *trial_.closure.mirror(cell.element);
-    const std::size_t other = trial_.sector(mirror).panel;
-    const Transport::Values found = transport_with_one_(group, 0.5 * tolerance, other);
     LocalValues at_edge(trial_.elements[mirror], trial_.w, mirror);
     const SectorBox across{
         .s0 = 1 - cell.box.s1, .s1 = 1 - cell.box.s0, .t0 = 0, .t1 = trial_.elements[mirror].box.t1};
-    Found out{.values = {.values = std::vector<double>(group.points.size() * count_),
+    const std::size_t points = rule_s.nodes.size() * rule_t.nodes.size();
+    Found out{.values = {.values = std::vector<double>(points * count_),
                          .radius = found.radius * (1 + trial_.smoothness.density_size(mirror)) * upward}};
     if (!found.shaded.empty()) out.shade = trial_.penumbra.rest_at_edge(found.shaded, mirror, across).bounds;
     std::vector<double> xi(count_);
@@ -424,8 +514,8 @@ std::vector<ElementResidual> element_residuals(const Trial& trial, std::span<con
 namespace {
 
 /// Cells whose sums are kept together: a second or two of work.
-constexpr std::size_t cells_at_a_time = 16;
-constexpr std::size_t cells_of_a_part = 64 * cells_at_a_time;
+constexpr std::size_t cells_at_a_time = 64;
+constexpr std::size_t cells_of_a_part = 16 * cells_at_a_time;
 
 /// The numbers of cells first, ..., first + size - 1.
 std::vector<double> numbers_of_cells(MeshWork* work, const std::string& kind, std::size_t first,
@@ -460,10 +550,11 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
           size, cells_at_a_time, total,
           [&](std::size_t begin, std::size_t end) {
             Share share = residual.none();
-            for (std::size_t c = first + begin; c < first + end; ++c) {
-              const Share own = residual.of_cell(cells[c], demand);
-              if (by_element) by_cell.put(c, own);
-              share = sum_of(std::move(share), own);
+            const std::vector<Share> own =
+                residual.of_cells(cells.subspan(first + begin, end - begin), demand);
+            for (std::size_t c = 0; c < own.size(); ++c) {
+              if (by_element) by_cell.put(first + begin + c, own[c]);
+              share = sum_of(std::move(share), own[c]);
             }
             if (work != nullptr) work->add(end - begin);
             return share;
@@ -530,8 +621,11 @@ std::vector<double> largest_residuals(const Trial& trial, std::span<const Observ
     const std::vector<double> found = numbers_of_cells(work, "cells", first, size, size, [&] {
       std::vector<double> part(size);
       parallel_for(size, cells_at_a_time, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t c = begin; c < end; ++c)
-          part[c] = residual.largest(cells[first + c], demand.allowed(cells[first + c].element));
+        const std::span<const ObserverCell> own = cells.subspan(first + begin, end - begin);
+        std::vector<double> allowed;
+        for (const ObserverCell& cell : own) allowed.push_back(demand.allowed(cell.element));
+        const std::vector<double> bounds = residual.largest(own, allowed);
+        std::copy(bounds.begin(), bounds.end(), part.begin() + static_cast<std::ptrdiff_t>(begin));
         if (work != nullptr) work->add(end - begin);
       });
       return part;

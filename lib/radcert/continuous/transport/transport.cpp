@@ -49,7 +49,8 @@ Transport::Transport(const SectorScene& scene, std::span<const SectorElement> el
     const std::size_t panel = scene.sectors()[elements[e].sector].panel;
     while (first_element_.size() <= panel) first_element_.push_back(e);
     sizes_.push_back(polynomial_sizes(functions, e, 0, functions.count()));
-    size_ = std::max(size_, size_in_ellipse(sizes_.back().by_s, 1));
+    element_size_.push_back(size_in_ellipse(sizes_.back().by_s, 1));
+    size_ = std::max(size_, element_size_.back());
     for (std::size_t k = 0; k < count_; ++k)
       for (std::size_t i = 0; i < functions.size(); ++i)
         coefficients_[(e * functions.size() + i) * stride_ + k] = functions.of(e, k)[i];
@@ -89,23 +90,21 @@ public:
   }
 
   void add_panel(std::size_t panel) {
-    if (panel == panel_ || scene_.coplanar(panel, panel_)) return;
-    if (scene_.sight().view(panel_, panel) == PanelView::none) return;
-    const Sector& sector = scene_.sectors()[scene_.first_sector(panel)];
-    const Vector<double>& n = scene_.normal(panel);
-    heights_.clear();
-    double highest = 0;
-    for (const Vector<double>& p : points_) {
-      heights_.push_back(dot(n, p - sector.a));
-      highest = std::max(highest, heights_.back());
-    }
-    height_ = highest + 64 * unit_roundoff<double>() * scene_.extent();
+    look_at(panel);
     if (!by_points_ || view_of_panel(scene_, panel_, hull_, panel) == PanelView::whole) {
       add_parts(0, seen_parts(panel, hull_));
       return;
     }
     for (std::size_t r = 0; r < ranges_.size(); ++r)
       if (ranges_[r].halves == 0) add_parts(r, seen_parts(panel, points_.subspan(ranges_[r].begin, 1)));
+  }
+
+  /// Parts of elements of one panel.
+  void add_sources(std::size_t panel, std::span<const PartOfElement> sources) {
+    look_at(panel);
+    std::vector<Part> parts;
+    for (const PartOfElement& source : sources) parts.push_back({source.element, source.box});
+    add_parts(0, std::move(parts));
   }
 
   [[nodiscard]] std::vector<ShadedPart> take_shaded() { return std::move(shaded_); }
@@ -133,9 +132,22 @@ public:
   [[nodiscard]] double value(std::size_t point, std::size_t k) const { return values_[point * stride_ + k]; }
 
 private:
+  /// The heights of the points over the plane of a panel.
+  void look_at(std::size_t panel) {
+    const Sector& sector = scene_.sectors()[scene_.first_sector(panel)];
+    const Vector<double>& n = scene_.normal(panel);
+    heights_.clear();
+    double highest = 0;
+    for (const Vector<double>& p : points_) {
+      heights_.push_back(dot(n, p - sector.a));
+      highest = std::max(highest, heights_.back());
+    }
+    height_ = highest + 64 * unit_roundoff<double>() * scene_.extent();
+  }
+
   /// The parts of a panel that send anything to a hull.
   [[nodiscard]] std::vector<Part> seen_parts(std::size_t panel, std::span<const Vector<double>> hull) {
-    const auto sends = [&](std::size_t e) { return size_in_ellipse(transport_.sizes_[e].by_s, 1) > 0; };
+    const auto sends = [&](std::size_t e) { return transport_.element_size_[e] > 0; };
     std::vector<Part> parts;
     const SeenPanel seen = transport_.penumbra_.seen(panel_, hull, panel, least_mass_);
     for (const PartOfElement& part : seen.whole)
@@ -163,7 +175,7 @@ private:
       const PolynomialSizes& sizes = transport_.sizes_[part.element];
       const SeenPart box = seen_part(scene_, element, part.box, ranges_[r].ball);
       const double near = std::max(box.to_s, box.to_t);
-      if (ranges_[r].halves > 0 && ranges_[r].ball.radius > 0.25 * (near + ranges_[r].ball.radius)) {
+      if (ranges_[r].halves > 0 && ranges_[r].ball.radius > 0.55 * (near + ranges_[r].ball.radius)) {
         for_halves.push_back(part);
         continue;
       }
@@ -177,8 +189,9 @@ private:
       if (in_s.nodes > 0 && in_t.nodes > 0) {
         const double least = box.least_distance();
         const double kernel_error = least > least_kernel_distance * scene_.extent()
-                                        ? std::numbers::inv_pi * box.area * size_in_ellipse(sizes.by_s, 1) *
-                                              kernel_rounding * scene_.extent() / (least * least * least)
+                                        ? std::numbers::inv_pi * box.area *
+                                              transport_.element_size_[part.element] * kernel_rounding *
+                                              scene_.extent() / (least * least * least)
                                         : infinity;
         ranges_[r].error += in_s.error + in_t.error + kernel_error;
         add_nodes(part, in_s.nodes, in_t.nodes);
@@ -324,16 +337,51 @@ private:
   std::vector<double> kernel_;
 };
 
+bool Transport::reaches(std::size_t panel, std::size_t to) const {
+  return panel != to && !scene_.coplanar(panel, to) && scene_.sight().view(to, panel) != PanelView::none;
+}
+
+Transport::Values Transport::taken(Sum& sum, std::size_t points) const {
+  Values out{.values = {}, .radius = sum.radius(), .shaded = sum.take_shaded()};
+  out.values.reserve(points * count_);
+  for (std::size_t p = 0; p < points; ++p)
+    for (std::size_t k = 0; k < count_; ++k) out.values.push_back(sum.value(p, k));
+  return out;
+}
+
 Transport::Values Transport::operator()(const ObserverGroup& group, double tolerance,
                                         std::optional<std::size_t> without) const {
   Sum sum(*this, group, tolerance);
   for (std::size_t panel = 0; panel < scene_.panels().size(); ++panel)
-    if (panel != without) sum.add_panel(panel);
-  Values out{.values = {}, .radius = sum.radius(), .shaded = sum.take_shaded()};
-  out.values.reserve(group.points.size() * count_);
-  for (std::size_t p = 0; p < group.points.size(); ++p)
-    for (std::size_t k = 0; k < count_; ++k) out.values.push_back(sum.value(p, k));
+    if (panel != without && reaches(panel, group.panel)) sum.add_panel(panel);
+  return taken(sum, group.points.size());
+}
+
+std::vector<PartOfElement> Transport::sources(std::size_t panel, std::optional<std::size_t> without) const {
+  std::vector<PartOfElement> out;
+  for (std::size_t from = 0; from < scene_.panels().size(); ++from) {
+    if (from == without || !reaches(from, panel)) continue;
+    for (std::size_t e = first_element_[from]; e < first_element_[from + 1]; ++e)
+      if (element_size_[e] > 0) out.push_back({e, elements_[e].box});
+  }
   return out;
+}
+
+Transport::Values Transport::from(std::span<const PartOfElement> sources, const ObserverGroup& group,
+                                  double tolerance) const {
+  Sum sum(*this, group, tolerance);
+  const auto panel_of = [&](const PartOfElement& part) {
+    return scene_.sectors()[elements_[part.element].sector].panel;
+  };
+  while (!sources.empty()) {
+    const std::size_t panel = panel_of(sources[0]);
+    const auto end = std::find_if(sources.begin(), sources.end(),
+                                  [&](const PartOfElement& part) { return panel_of(part) != panel; });
+    const auto size = static_cast<std::size_t>(end - sources.begin());
+    sum.add_sources(panel, sources.first(size));
+    sources = sources.subspan(size);
+  }
+  return taken(sum, group.points.size());
 }
 
 }  // namespace radcert

@@ -49,11 +49,25 @@ public:
   [[nodiscard]] Values operator()(const ObserverGroup& group, double tolerance,
                                   std::optional<std::size_t> without = std::nullopt) const;
 
-  /// A bound of |f| for all functions.
+  /// The elements that send anything to points of a panel, where no panel hides another.
+  [[nodiscard]] std::vector<PartOfElement> sources(std::size_t panel,
+                                                   std::optional<std::size_t> without = std::nullopt) const;
+  /// T f from parts of some of these, in their order.
+  [[nodiscard]] Values from(std::span<const PartOfElement> sources, const ObserverGroup& group,
+                            double tolerance) const;
+
+  [[nodiscard]] const SectorScene& scene() const { return scene_; }
+  [[nodiscard]] std::span<const SectorElement> elements() const { return elements_; }
+  [[nodiscard]] std::size_t count() const { return count_; }
+  /// A bound of |f| for all functions, everywhere and on an element.
   [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] double size(std::size_t element) const { return element_size_[element]; }
 
 private:
   class Sum;
+  [[nodiscard]] bool reaches(std::size_t panel, std::size_t to) const;
+  [[nodiscard]] Values taken(Sum& sum, std::size_t points) const;
+
   const SectorScene& scene_;
   std::span<const SectorElement> elements_;
   std::size_t powers_;  ///< degree + 1
@@ -61,6 +75,7 @@ private:
   std::size_t stride_;                      ///< count, filled up to whole packs
   std::vector<double> coefficients_;        ///< by element, i, j, function
   std::vector<PolynomialSizes> sizes_;      ///< of each element
+  std::vector<double> element_size_;        ///< sup |f|
   std::vector<std::size_t> first_element_;  ///< of each panel, and the number of all
   double size_ = 0;
   Penumbra penumbra_;
