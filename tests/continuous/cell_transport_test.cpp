@@ -81,6 +81,25 @@ TEST(CellTransport, AgreesWithTransportToEachCellWithinItsRadius) {
   EXPECT_GT(closest, 1e-5);
 }
 
+// Whatever way values have come, their radii have at least the roundings that Transport counts of each sum.
+TEST(CellTransport, HasTheRadiusOfWhatIsSummedAloneAndOfWhatIsInterpolated) {
+  const SectorScene scene(panels_of("cube"));
+  const std::vector<SectorElement> elements = graded_elements(scene, 1);
+  SectorFunctions one(elements.size(), 1, 0);
+  for (double& c : one.all()) c = 1;
+  const Transport transport(scene, elements, one);
+  const double roundings = 128 * unit_roundoff<double>() * transport.size();
+  // Near the middle of a face, so small that all other faces are far.
+  constexpr double small = 0x1p-10;
+  const SectorBox box{.s0 = 0.25, .s1 = 0.25 + small, .t0 = 0.75, .t1 = 0.75 + small};
+  for (const int nodes : {1, 9}) {  // one point is never interpolated
+    const std::vector<CellNodes> cells{{box, nodes, nodes, 1e-7}};
+    const std::vector<Transport::Values> found = transport_to_cells(transport, 0, cells);
+    EXPECT_GE(found[0].radius, roundings) << nodes;
+    for (const double value : found[0].values) EXPECT_LE(std::abs(value - 1), found[0].radius);
+  }
+}
+
 TEST(CellTransport, LeavesAPanelOut) {
   const SectorScene scene(panels_of("cube"));
   const std::vector<SectorElement> elements = graded_elements(scene, 2);
@@ -187,17 +206,34 @@ TEST(FarBound, SaysHowManyNodesAreNeeded) {
   EXPECT_EQ(FarBound(7, 1, 0.5, 0).needed(1e-30), 1);
 }
 
-// With one node in the middle, f = a (2x^2-1) + b (2y^2-1) is a and b away from constants in either variable, and its
-// interpolant off by 2a + 2b in the corners.
+/// Lagrange's polynomials of n nodes at the end of the interval.
+LagrangeTable at_the_end(int nodes) { return {nodes, {.middle = 1, .half = 0}, 1}; }
+
+// With one node in the middle, f = a (2x^2-1) + b (2y^2-1) is a and b away from constants in either variable, and
+// its interpolant off by 2a + 2b in the corners.
 TEST(FarError, IsAttained) {
-  FarError error{.in_s = 0.25, .in_t = 0.125, .slope = 0};
-  EXPECT_GE(error.of_interpolant(1, 1), 0.75);
-  EXPECT_LE(error.of_interpolant(1, 1), 0.75 * (1 + 1e-9));
-  // At moduli l, m: values that I_s makes l times as large, with the sign that adds to f.
-  EXPECT_GE(error.of_interpolant(3, 5), (1 + 3) * 0.25 + 3 * (1 + 5) * 0.125);
-  // Points are known to 16 units.
-  error = {.in_s = 0, .in_t = 0, .slope = 2};
-  EXPECT_GE(error.of_interpolant(1, 1), 32 * unit_roundoff<double>());
+  const FarError error{.in_s = 0.25, .in_t = 0.125, .slope = 0};
+  const LagrangeTable one = at_the_end(1);
+  EXPECT_GE(error.of_interpolant(one, one, 0, 0), 0.75);
+  EXPECT_LE(error.of_interpolant(one, one, 0, 0), 0.75 * (1 + 1e-9));
+}
+
+// Each term alone, at the end of the interval, where I makes the largest values of what it is given.
+TEST(FarError, CountsWhatInterpolationMagnifies) {
+  const LagrangeTable in_s = at_the_end(5);
+  const LagrangeTable in_t = at_the_end(9);
+  const double l_s = in_s.largest();
+  const double l_t = in_t.largest();
+  EXPECT_GT(l_s, 2);
+  EXPECT_GT(l_t, l_s);
+  EXPECT_GE((FarError{.in_s = 1, .in_t = 0, .slope = 0}.of_interpolant(in_s, in_t, 0, 0)), 1 + l_s);
+  EXPECT_GE((FarError{.in_s = 0, .in_t = 1, .slope = 0}.of_interpolant(in_s, in_t, 0, 0)), l_s * (1 + l_t));
+  constexpr double u = unit_roundoff<double>();
+  EXPECT_GE((FarError{.in_s = 0, .in_t = 0, .slope = 1}.of_interpolant(in_s, in_t, 0, 0)), 16 * u);
+  // Values that are off with the signs of Lagrange's polynomials.
+  EXPECT_GE(FarError{}.of_interpolant(in_s, in_t, 1, 0), l_s * l_t);
+  // Products of 4, differences among them, and sums of 5 and 9.
+  EXPECT_GE(FarError{}.of_interpolant(in_s, in_t, 0, 1), l_s * l_t * (4 * 5 + 4 * 9 + 5 + 9) * u);
 }
 
 TEST(FarError, AddsUp) {

@@ -329,8 +329,8 @@ TEST(ElementIntegrator, KeepsACoarserToleranceWithFewerPoints) {
   }
 }
 
-/// The largest |(Q - P).n_P| R^3 / |P - Q|^4 over complex Q on the chords of the unit ball through its centre, z in
-/// the Bernstein ellipse rho, P at the distance R and n_P towards the centre.
+/// The largest |(Q - P).n_P| R^3 / |P - Q|^4 over complex Q on the chords of the unit ball through its
+/// centre, z in the Bernstein ellipse rho, P at the distance R and n_P towards the centre.
 double largest_on_ellipse(double distance, double rho) {
   constexpr int around = 64;
   double largest = 0;

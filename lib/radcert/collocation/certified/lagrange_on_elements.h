@@ -11,11 +11,11 @@ namespace radcert {
 
 /// Lagrange functions as functions on elements.
 /// Maths     l_j by Bernstein polynomials: sum_k c_jk multinomial(k) x_1^k_1 x_2^k_2 x_3^k_3. With
-///           multinomials for weights the |x_1|^k_1 |x_2|^k_2 |x_3|^k_3 have the sum (|x_1| + |x_2| + |x_3|)^r,
-///           so that |l_j| <= max |c_jk| (|x_1| + |x_2| + |x_3|)^r, for complex x too
+///           multinomials for weights the |x_1|^k_1 |x_2|^k_2 |x_3|^k_3 have the sum (|x_1| + |x_2| +
+///           |x_3|)^r, so that |l_j| <= max |c_jk| (|x_1| + |x_2| + |x_3|)^r, for complex x too
 /// Requires  functions of degree at most 8, which outlive it
-/// Result    as ElementFunctions has it; the bound is attained where all c_jk of one j are of one size and have
-///           the signs of their monomials
+/// Result    as ElementFunctions has it; the bound is attained where all c_jk of one j are of one size and
+///           have the signs of their monomials
 class LagrangeOnElements final : public ElementFunctions {
 public:
   explicit LagrangeOnElements(const LagrangeFunctions& functions);

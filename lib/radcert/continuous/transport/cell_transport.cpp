@@ -223,13 +223,7 @@ private:
       for (std::size_t j = 0; j < to_t; ++j)
         for (std::size_t a = 0; a < from_s; ++a)
           add_times(in_s(i, a), &half[(a * to_t + j) * count], &values[(i * to_t + j) * count], count);
-    const double l_s = in_s.largest();
-    const double l_t = in_t.largest();
-    // Each polynomial is off by 4 n u, each of the two sums by n u.
-    const double roundings = 8 * static_cast<double>(nodes_s + nodes_t) * unit;
-    add_to(sums_[c], values,
-           error.of_interpolant(l_s, l_t) +
-               l_s * l_t * (at_nodes.radius + roundings * (transport_.size() + at_nodes.radius)));
+    add_to(sums_[c], values, error.of_interpolant(in_s, in_t, at_nodes.radius, transport_.size()));
   }
 
   static void add_to(Transport::Values& sum, std::span<const double> values, double radius) {

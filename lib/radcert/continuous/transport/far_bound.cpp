@@ -14,6 +14,7 @@ namespace radcert {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unit = unit_roundoff<double>();
 /// a/D. n nodes leave about (2 a/h)^-n (D-a)^-3, which is least near n/(n+3).
 constexpr double part_of_distance = 0.75;
 
@@ -51,8 +52,14 @@ void FarError::add(const FarBound& of_s, const FarBound& of_t, int nodes_s, int 
   slope += of_s.of_slope() + of_t.of_slope();
 }
 
-double FarError::of_interpolant(double l_s, double l_t) const {
-  return ((1 + l_s) * in_s + l_s * (1 + l_t) * in_t + 16 * unit_roundoff<double>() * slope) * upward;
+double FarError::of_interpolant(const LagrangeTable& table_s, const LagrangeTable& table_t, double off,
+                                double size) const {
+  const double l_s = table_s.largest();
+  const double l_t = table_t.largest();
+  const double roundings = 8 * static_cast<double>(table_s.nodes() + table_t.nodes()) * unit;
+  return ((1 + l_s) * in_s + l_s * (1 + l_t) * in_t + 16 * unit * slope +
+          l_s * l_t * (off + roundings * (size + off))) *
+         upward;
 }
 
 }  // namespace radcert
