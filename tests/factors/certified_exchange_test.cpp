@@ -85,6 +85,34 @@ TEST(CertifiedExchangeArea, BetweenACubeAndTheCubeAroundItIsItsArea) {
   }
 }
 
+/// Triangles that are given one by one.
+FacetScene scene_of(const std::vector<std::array<Vector<double>, 3>>& triangles) {
+  TriangleMesh mesh;
+  mesh.group_names = {""};
+  for (const std::array<Vector<double>, 3>& corners : triangles) {
+    const std::size_t n = mesh.vertices.size();
+    mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+    mesh.triangles.push_back({n, n + 1, n + 2});
+    mesh.group.push_back(0);
+    mesh.face.push_back(mesh.face.size());
+  }
+  return FacetScene(std::move(mesh));
+}
+
+TEST(CertifiedExchangeArea, IsThatOfWhatLiesInFrontOfTheOtherPlane) {
+  // A floor and a wall that cross each other's plane, and the parts of both that see each other; past a
+  // triangle between them.
+  const std::array<Vector<double>, 3> between{{{0.25, 0.25, 0.25}, {0.75, 0.5, 0.25}, {0.5, 0.75, 0.5}}};
+  const FacetScene whole =
+      scene_of({{{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}}, {{{1, 0, -1}, {1, 0, 1}, {1, 2, 1}}}, between});
+  const FacetPair pair = whole.pair(0, 1);
+  ASSERT_EQ(pair.sight, PairSight::mixed);
+  const Ball all = certified_exchange_area(whole, 0, 1, pair, {.radius = 1e-7});
+  const Approximation adaptive = visible_exchange_area(whole, pair, {.tolerance = 1e-6});
+  EXPECT_TRUE(overlaps(all, ball_of(adaptive))) << all.to_text() << " " << adaptive.value;
+  EXPECT_LE(all.radius(), 1e-6);
+}
+
 TEST(CertifiedExchangeArea, AddsShadowsThatDoNotMeet) {
   // Two small squares between unit squares, in planes of their own and so far apart that no segment meets
   // both.
