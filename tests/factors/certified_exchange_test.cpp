@@ -113,6 +113,25 @@ TEST(CertifiedExchangeArea, IsThatOfWhatLiesInFrontOfTheOtherPlane) {
   EXPECT_LE(all.radius(), 1e-6);
 }
 
+TEST(CertifiedExchangeArea, LeavesOpenWhatAShadowKeepsBackThatIsNotKnown) {
+  // A floor and a wall with a side in common. A triangle hides a part, one side of it 2^-46 above the floor:
+  // little work bounds nothing of its shadow. A quadrangle has sides on both planes and hides nothing; with it
+  // shadows are taken instead of contours, so it is named as one that may stand between.
+  constexpr double low = 0x1p-46;
+  const FacetScene scene = scene_of({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+                                     {{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+                                     {{{0.125, 0.0625, low}, {0.75, 0.4375, low}, {0.0625, 0.875, 0.625}}},
+                                     {{{0.5, 0.75, 0}, {0.75, 0.75, 0}, {0, 0.75, 0.75}}},
+                                     {{{0.5, 0.75, 0}, {0, 0.75, 0.75}, {0, 0.75, 0.5}}}});
+  FacetPair pair = scene.pair(0, 1);
+  ASSERT_EQ(pair.sight, PairSight::mixed);
+  ASSERT_EQ(scene.occluders().size(), 2U);
+  const Approximation adaptive = visible_exchange_area(scene, pair, {.tolerance = 1e-4});
+  pair.occluders = {0, 1};
+  const Ball ball = certified_exchange_area(scene, 0, 1, pair, {.radius = 1e-4, .work_limit = 1000});
+  EXPECT_TRUE(overlaps(ball, ball_of(adaptive))) << ball.to_text() << " " << adaptive.value;
+}
+
 TEST(CertifiedExchangeArea, AddsShadowsThatDoNotMeet) {
   // Two small squares between unit squares, in planes of their own and so far apart that no segment meets
   // both.
