@@ -311,6 +311,65 @@ TEST(PointView, IsHiddenByWhatReachesInByAHair) {
   }
 }
 
+TEST(PointView, IsHiddenByWhatReachesInByLessThanRounding) {
+  // The tip of a triangle lies on the plane through P and the source's side, but for its rounding. The rest of
+  // the triangle lies further out in each coordinate, so that its box reaches as far in as the tip.
+  Numbers random(17);
+  int seen_in_part = 0;
+  constexpr int count = 500;
+  for (int k = 0; k < count; ++k) {
+    const auto vector = [&](double z) {
+      return Vector<double>{random.between(-1, 1), random.between(-1, 1), z + random.fraction()};
+    };
+    const Vector<double> eye = vector(-1);
+    const Vector<double> a = vector(2);
+    const Vector<double> b = vector(2);
+    Vector<double> c = vector(2);
+    if (dot(cross(b - a, c - a), eye - a) < 0) c = a + (a - c);
+    const Vector<double> inwards = cross(b - eye, a - eye);
+    const Vector<double> out{-std::copysign(0.2, inwards.x), -std::copysign(0.2, inwards.y),
+                             -std::copysign(0.2, inwards.z)};
+    const double s = random.between(0.1, 0.3);
+    const double t = random.between(0.1, 0.3);
+    const Vector<double> tip = eye + s * (a - eye) + t * (b - eye);
+    TriangleMesh mesh;
+    mesh.vertices = {a, b, c, tip, tip + out, tip + Vector<double>{0.5 * out.x, out.y, 0.75 * out.z}};
+    mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+    const Exact from = sample::exact(eye);
+    const Exact normal = cross(sample::exact(b) - from, sample::exact(a) - from);
+    const bool reaches_in = dot(normal, sample::exact(tip) - from).sign() > 0;
+    const Scene scene(std::move(mesh));
+    EXPECT_EQ(visible_region(scene, {eye, {0, 0, 1}, std::nullopt}, 0).sight,
+              reaches_in ? Sight::part : Sight::whole)
+        << k;
+    seen_in_part += reaches_in ? 1 : 0;
+  }
+  EXPECT_GT(seen_in_part, count / 4);
+}
+
+TEST(PointView, IsHiddenByWhatStandsAtTheEndsOfItsHull) {
+  // P at the origin, the source across one axis, and between them a triangle within a hundredth of P or of
+  // the source: at either end of the box about both, in each coordinate.
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0})
+      for (const double away : {0.004, 0.996}) {
+        const auto across = [&](double x, double y, double scale) {
+          std::array<double, 3> v{};
+          v[axis] = side * scale;
+          v[(axis + 1) % 3] = scale * x;
+          v[(axis + 2) % 3] = side * scale * y;
+          return Vector<double>{v[0], v[1], v[2]};
+        };
+        TriangleMesh mesh;
+        mesh.vertices = {across(-1, -1, 1),        across(0, 1, 1),      across(1, -1, 1),
+                         across(-0.5, -0.5, away), across(0, 0.5, away), across(0.5, -0.5, away)};
+        mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+        EXPECT_EQ(visible_region(Scene(std::move(mesh)), {{0, 0, 0}, across(0, 0, 1), std::nullopt}, 0).sight,
+                  Sight::part)
+            << axis << " " << side << " " << away;
+      }
+}
+
 TEST(PointView, IsNotCutByTheHorizonOfItsOwnPlane) {
   // Rounding puts P above or below the floor: the walls stay whole either way.
   const Scene room = sample::cube_room();

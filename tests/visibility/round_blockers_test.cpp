@@ -100,6 +100,35 @@ TEST(RoundBlockers, AreWhatRationalNumbersSay) {
   EXPECT_GT(hidden, count / 20);
 }
 
+TEST(BallBlocker, IsTouchedWithinTheRoundingOfItsEnds) {
+  // Segments that touch the ball but for the rounding of their ends, so that doubles have either sign.
+  Numbers random(42);
+  int hidden = 0;
+  int wrong = 0;
+  constexpr int count = 300;
+  for (int k = 0; k < count; ++k) {
+    const auto vector = [&] {
+      return Vector<double>{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+    };
+    const Vector<double> c = vector();
+    const Vector<double> out = vector();
+    const Vector<double> along = cross(out, vector());
+    const double radius = norm(out);
+    const Vector<double> p = (c + out) - along;
+    const Vector<double> q = (c + out) + along;
+    const Rational square = Rational::exactly(radius) * Rational::exactly(radius);
+    const Rational least = least_distance_square(sample::exact(p), sample::exact(q), sample::exact(c));
+    EXPECT_EQ(hides_both_ways(BallBlocker{c, radius}, p, q), least < square) << k;
+    hidden += least < square ? 1 : 0;
+    const Vector<double> e = p - c;
+    const Vector<double> d = q - p;
+    const double rounded = (dot(e, e) - radius * radius) * dot(d, d) - dot(e, d) * dot(e, d);
+    wrong += (rounded < 0) != (least < square) ? 1 : 0;
+  }
+  EXPECT_GT(hidden, count / 4);
+  EXPECT_GT(wrong, count / 20);
+}
+
 TEST(RoundBlockers, RefuseWhatTheyCannotUse) {
   const Vector<double> p{0, 0, 1};
   const Vector<double> q{0, 0, -1};

@@ -133,6 +133,23 @@ TEST(SightGeometry, KnowsOnWhichSideThePlaneOfNearlyAllPasses) {
   EXPECT_GT(turned, count / 20);
 }
 
+TEST(SightGeometry, KnowsSignsBelowTheSmallestDouble) {
+  // n . v of n = 2^-700 (1, -1, 1) and v = 2^-1074 2^700 (3/5, 2/5, -2/5) is negative, but the first product
+  // alone is not rounded to zero.
+  const double length = std::ldexp(1, -350);
+  const double small = std::ldexp(1, -374);
+  TriangleMesh mesh;
+  mesh.vertices = {{length, length, 0}, {0, length, length}, {0.6 * small, 0.4 * small, -0.4 * small}};
+  mesh.triangles = {{0, 1, 2}};
+  const Scene scene(std::move(mesh));
+  const ExactSides exact(scene, {0, 0, 0});
+  SightGeometry geometry(scene, {{0, 0, 0}, {0, 0, 1}, std::nullopt});
+  const auto [a, b, v] = scene.vertices(0);
+  EXPECT_EQ(dot(exact.normal(a, b), exact.ray(v)).sign(), -1);
+  EXPECT_EQ(geometry.sign_at(geometry.side(a, b), v), -1);
+  EXPECT_EQ(geometry.sign_at(geometry.side(b, a), v), 1);
+}
+
 TEST(SightGeometry, RoundsParametersAsItSays) {
   Numbers random(72);
   int inside = 0;
