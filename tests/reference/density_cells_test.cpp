@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -15,6 +16,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/expression/parse.h"
+#include "radcert/reference/box_value.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/surface/catalogue.h"
 #include "radcert/surface/catalogue/box.h"
@@ -153,6 +155,98 @@ TEST(DensityCells, ResolvesPeaksAndLinesAlongTheSides) {
     double left = 0;
     for (const DensityCell& cell : cells_of(cube(), u)) left += cell.deviation * cell.area;
     EXPECT_LE(left, 1e-11) << u;
+  }
+}
+
+TEST(DensityCells, BoundsWhatTaylorsPolynomialLeaves) {
+  // u = 1/(c + a - x) on a side of half-length 1/2 about c: its Taylor polynomial of degree 63 about c is off
+  // by (2a)^-64 / (a - 1/2) at the end. With a = 1.1 the disks of twice the radius are free of the pole.
+  const auto few = few_halvings(0);
+  const double a = 1.1;
+  const double left = std::pow(0.5 / a, 64) / (a - 0.5);
+  int seen = 0;
+  for (const DensityCell& cell : cells_of(cube(), "1/(1.6 - x)")) {
+    if (cell.half.x < 0.4) continue;
+    EXPECT_GE(cell.deviation, left);
+    EXPECT_LE(cell.deviation, 1e6 * left);
+    ++seen;
+  }
+  EXPECT_EQ(seen, 4);
+}
+
+TEST(DensityCells, KnowWhatRoundingOfEachCoordinateDoes) {
+  // A triangle of size 1 of which one coordinate is about 1000, and u that coordinate: eight roundings of it.
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto vertex = [axis](double along, double first, double second) {
+      std::array<double, 3> x{};
+      x[axis] = 1000 + along;
+      x[(axis + 1) % 3] = first;
+      x[(axis + 2) % 3] = second;
+      return Vector<double>{x[0], x[1], x[2]};
+    };
+    const TriangleMesh mesh{.vertices = {vertex(0, 0, 0), vertex(1, 0, 1), vertex(0, 1, 0)},
+                            .triangles = {{0, 1, 2}},
+                            .group = {0},
+                            .group_names = {"one"},
+                            .face = {0}};
+    const std::vector<std::size_t> pieces{0};
+    const std::vector<std::string> names{"one"};
+    const Surface surface = mesh_surface(
+        "one", mesh, pieces, names,
+        {.orientation = Orientation::along_the_cross_product, .closed = false, .unoccluded = false});
+    const std::string name(1, "xyz"[axis]);
+    for (const std::string& u : {name + " - 1000", "exp(" + name + " - 1000)"})
+      for (const DensityCell& cell : cells_of(surface, u)) {
+        EXPECT_GE(cell.rounding, 8 * 0x1p-53 * 1001) << u;
+        EXPECT_LE(cell.rounding, 100 * 0x1p-53 * 1001) << u;
+      }
+  }
+}
+
+TEST(DensityCells, DeviateOnceAtEachPointAndOnceInTheRule) {
+  const DensityCell cell{
+      .deviation = 0.25, .rounding = 0.125, .centre = {1, 2, 3}, .half = {0.5, 0.5, 0.5}, .area = 2};
+  const double change = 2 * 0.25 + 0.125;
+  EXPECT_DOUBLE_EQ(deviation_at(cell, {1, 2, 3.25}), change * std::numbers::pi);  // within the box
+  EXPECT_DOUBLE_EQ(deviation_at(cell, {1, 2, 4}), change * std::numbers::pi);     // pi is less than 8
+  EXPECT_DOUBLE_EQ(deviation_at(cell, {1, 2, 7.5}), change * 2 / 16);             // at the distance 4
+  EXPECT_DOUBLE_EQ(deviation_at(cell, {4.5, 6.5, 3}), change * 2 / (9 + 16));     // at the distance 5
+}
+
+TEST(DensityCells, HasABoxAboutAllOfACurvedPart) {
+  for (const long halvings : {0, 20}) {
+    const auto few = few_halvings(halvings);
+    for (const Surface& surface : {ellipsoid(1, 2, 3), two_piece(2)})
+      for (const DensityCell& cell : cells_of(surface, "abs(x - y*0.7 - 0.1)")) {
+        const ChartIn<double>& chart = surface.charts[cell.chart].in<double>();
+        const auto expect_inside = [&](const Parameters& at) {
+          const Vector<double> q = chart.frame(at).point;
+          constexpr double rounding = 1e-15;
+          EXPECT_LE(std::abs(q.x - cell.centre.x), cell.half.x + rounding) << surface.name;
+          EXPECT_LE(std::abs(q.y - cell.centre.y), cell.half.y + rounding) << surface.name;
+          EXPECT_LE(std::abs(q.z - cell.centre.z), cell.half.z + rounding) << surface.name;
+        };
+        const Polygon& polygon = cell.polygon;
+        for (std::size_t i = 0; i < polygon.count; ++i)
+          for (const double along : {0.0, 0.25, 0.5, 0.75})
+            expect_inside(polygon[i] + along * (polygon[i + 1] - polygon[i]));
+      }
+  }
+}
+
+TEST(BoxValue, IsAnalyticWhereOneBranchHolds) {
+  const auto over = [](double low, double high) {
+    const Ball range = hull(Ball(low), Ball(high));
+    return BoxValue(range, ComplexBall(range));
+  };
+  const BoxValue half(Rational(1, 2));
+  EXPECT_TRUE(min(over(0, 0.25), half).on_disks.is_finite());
+  EXPECT_TRUE(max(over(0, 0.25), half).on_disks.is_finite());
+  EXPECT_TRUE(abs(over(-1, -0.5)).on_disks.is_finite());
+  for (const BoxValue& value : {min(over(0, 1), half), min(half, over(0, 1)), max(over(0, 1), half),
+                                max(half, over(0, 1)), abs(over(-1, 1))}) {
+    EXPECT_TRUE(value.on_box.is_finite());
+    EXPECT_FALSE(value.on_disks.is_finite());
   }
 }
 

@@ -545,6 +545,12 @@ TEST(OperatorIntegral, HasARadiusThatGrowsWhereRoundingDoes) {
   EXPECT_GE(near.radius, 1e-10);
   EXPECT_LE(near.radius, 1e-6);
   EXPECT_NEAR(near.value, at_distance(1e-7).value, 1e-5);
+  // The points of the roof are off by rounding, at most of its largest coordinate: over the distance that is
+  // what the kernel is off by, for all points at once if these err alike.
+  for (const double d : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    const Approximation found = at_distance(d);
+    EXPECT_GE(found.radius, 0x1p-53 / d * found.value) << d;
+  }
   const ChartOf<long double, PowerRoof<long double>> roof(PowerRoof<long double>{Rational(2)},
                                                           Orientation::against_the_cross_product);
   const long double d = 0x1p-7L;
