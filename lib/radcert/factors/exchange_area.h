@@ -19,7 +19,8 @@ using FacetCorners = std::vector<Vector<double>>;
 ///           |b|, up to constants that closed contours cancel. Far: product Gauss rules on both
 /// Source    contour form: Sparrow, A new and simpler formulation for radiative angle factors, 1963. I is
 ///           analytic but where the line of a comes near an end or the line of b: there [0,1] is parted, and
-///           bisected until Gauss rules of 8 points agree
+///           bisected until Gauss rules of 8 points agree, where that is not by chance: on cells no longer
+///           than their distance from such a place, or tiny ones
 /// Requires  each polygon wholly in front of the other's plane, points of the plane allowed; at least three
 ///           corners
 /// Result    value with radius an estimate of its error, rounding included: the difference of two rules near,
