@@ -115,8 +115,8 @@ TEST(CertifiedExchangeArea, IsThatOfWhatLiesInFrontOfTheOtherPlane) {
 
 TEST(CertifiedExchangeArea, LeavesOpenWhatAShadowKeepsBackThatIsNotKnown) {
   // A floor and a wall with a side in common. A triangle hides a part, one side of it 2^-46 above the floor:
-  // little work bounds nothing of its shadow. A quadrangle has sides on both planes and hides nothing; with it
-  // shadows are taken instead of contours, so it is named as one that may stand between.
+  // little work bounds nothing of its shadow. A quadrangle has sides on both planes and hides nothing; it is
+  // named as one that may stand between, for with it shadows are taken in place of contours.
   constexpr double low = 0x1p-46;
   const FacetScene scene = scene_of({{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
                                      {{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}}},

@@ -129,16 +129,16 @@ TEST(ExchangeArea, BothWaysAgreeBeyondTheFarRatio) {
 }
 
 TEST(ExchangeArea, HoldsWhereRulesAgreeByChance) {
-  // Gaps over the middle of an edge for which the rule on a half of it agrees with those on its quarters: they
-  // are off by 2e-7 to 6e-14.
+  // Gaps over the middle of an edge for which the rule on a half of it agrees with those on its quarters:
+  // all of them are off, by 2e-7 to 6e-14.
   for (const double gap :
        {0.015412164823669298, 0.043200481515997771, 0.088902136637365375, 0.16067404551546863}) {
     const FacetCorners second{{-1.5, -2, gap}, {-5.5, 6, gap}, {2.5, 2, gap}};
     const Approximation found = exchange_area_by_contours(square, second);
     EXPECT_LE(error_of(found, enclosed_closed_form(square, second)), found.radius) << gap;
   }
-  // A floor that ends so far before a wall, with the wall's depth and ends along it: of random ones these have
-  // errors of four and seven radii where rules are believed whenever they agree.
+  // A floor that ends a little before a wall. Of random ones these have errors of four and seven radii where
+  // rules are believed whenever they agree.
   struct Wall {
     double gap, depth, from, to, height;
   };

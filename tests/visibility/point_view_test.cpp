@@ -312,8 +312,8 @@ TEST(PointView, IsHiddenByWhatReachesInByAHair) {
 }
 
 TEST(PointView, IsHiddenByWhatReachesInByLessThanRounding) {
-  // The tip of a triangle lies on the plane through P and the source's side, but for its rounding. The rest of
-  // the triangle lies further out in each coordinate, so that its box reaches as far in as the tip.
+  // The tip of a triangle lies on the plane through P and the source's side, but for its rounding. The rest
+  // of the triangle lies further out in each coordinate, so that its box reaches as far in as the tip.
   Numbers random(17);
   int seen_in_part = 0;
   constexpr int count = 500;
