@@ -141,8 +141,8 @@ void expect_agreement(const Discretisation& d, double tolerance, int refinements
   EXPECT_LE(largest_radius, tolerance + near_and_rounding) << where;
 }
 
-// A row's radius is at least what its couplings leave out and the rounding of a product: beside them there is no
-// more than the radii of near entries, which on the sphere are a part of that rounding.
+// A row's radius is at least what its couplings leave out and the rounding of a product: beside them there is
+// no more than the radii of near entries, which on the sphere are a part of that rounding.
 TEST(ClusterOperator, CountsWhatCouplingsLeaveOutAndRound) {
   const Discretisation d(sphere(), 2, 1);
   constexpr double tolerance = 1e-3;

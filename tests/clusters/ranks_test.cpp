@@ -98,8 +98,8 @@ TEST(Ranks, MakeTheSameBitsAsOne) {
   }
 }
 
-// On the mantle, which is the second of two ranks', rows leave out a quarter more at first than they may, and on the
-// disks they do not: the shares of both ranks are reduced.
+// On the mantle, which is the second of two ranks', rows leave out a quarter more at first than they may, and
+// on the disks they do not: the shares of both ranks are reduced.
 TEST(Ranks, ReduceTheirSharesTogether) {
   const Surface surface = cylinder(1, 2);
   const Made one = made_by(1, surface, 2, 0, 1e-3);

@@ -174,9 +174,9 @@ TEST(CertifiedVisibleEntries, EncloseTheClosedFormLessThatOfAShadow) {
 }
 
 TEST(CertifiedVisibleEntries, CountTheRoundingsOfSumsOverManyParts) {
-  // Two dozen slats leave strips of the ceiling that are about as large as each other: the sum over them is rounded
-  // once a strip, by a unit of what is reached of it, which makes half as many units of the whole as there are
-  // strips. Without them the accuracy of the integrals and five units for the entry would be all.
+  // Two dozen slats leave strips of the ceiling that are about as large as each other: the sum over them is
+  // rounded once a strip, by a unit of what is reached of it, which makes half as many units of the whole as
+  // there are strips. Without them the accuracy of the integrals and five units for the entry would be all.
   sample::Polyhedron bodies{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-4, -4, 1}, {-4, 8, 1}, {8, -4, 1}},
                             {{0, 1, 2}, {3, 4, 5}}};
   for (int k = -12; k < 12; ++k) {

@@ -183,7 +183,8 @@ TEST(FarBound, HoldsOnTheEllipse) {
     const Complex square = w[0] * w[0] + w[1] * w[1] + w[2] * w[2];
     const Complex along = (w[0] * m.x + w[1] * m.y + w[2] * m.z) / norm(m);
     const double size = std::abs(q.z * along / (square * square));
-    // 2 rho^(1-n)/(rho-1) M for n = 1, rho the sum of the half axes; M in the smaller ellipse bounds the slope.
+    // 2 rho^(1-n)/(rho-1) M for n = 1, rho the sum of the half axes; M in the smaller ellipse bounds the
+    // slope.
     const double rho = 0.75 * distance / half + std::sqrt(std::pow(0.75 * distance / half, 2) - 1);
     const double most = axis == 2 ? bound.of_slope() : bound.of_polynomials(1) * (rho - 1) / 2;
     EXPECT_LE(size, most * (1 + 1e-9));
@@ -209,8 +210,8 @@ TEST(FarBound, SaysHowManyNodesAreNeeded) {
 /// Lagrange's polynomials of n nodes at the end of the interval.
 LagrangeTable at_the_end(int nodes) { return {nodes, {.middle = 1, .half = 0}, 1}; }
 
-// With one node in the middle, f = a (2x^2-1) + b (2y^2-1) is a and b away from constants in either variable, and
-// its interpolant off by 2a + 2b in the corners.
+// With one node in the middle, f = a (2x^2-1) + b (2y^2-1) is a and b away from constants in either variable,
+// and its interpolant off by 2a + 2b in the corners.
 TEST(FarError, IsAttained) {
   const FarError error{.in_s = 0.25, .in_t = 0.125, .slope = 0};
   const LagrangeTable one = at_the_end(1);

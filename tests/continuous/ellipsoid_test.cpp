@@ -561,8 +561,8 @@ TEST(BoundBetween, IsAttainedOnAGreatCircle) {
 }
 
 TEST(EllipsoidTransport, CountsWhatDirectionsAreOffBy) {
-  // |A d|^-4 changes by 4/a of itself where d is moved across the shortest half axis a, and its mean is that of
-  // T 1 = 1: directions that are off by the displacement move T w by 4/a of it times max |w - c|.
+  // |A d|^-4 changes by 4/a of itself where d is moved across the shortest half axis a, and its mean is that
+  // of T 1 = 1: directions that are off by the displacement move T w by 4/a of it times max |w - c|.
   for (const Rational& a : {Rational(1), Rational(1, 2), Rational(1, 4)}) {
     const Vector<Rational> axes{1, 1, a};
     const EllipsoidShape shape(axes);
@@ -616,9 +616,9 @@ TEST(SurfaceMean, IsTheMeanOverTheSurface) {
 }
 
 TEST(SurfaceMean, CountsWhatTheAreaIsOffBy) {
-  // The harmonics of degree 2 that are even and odd in y have the same bounds around the sphere, hence the same
-  // rule, which misses e of the integral of either and e/V of the area, V the bound on the sphere. The odd one
-  // has the mean 0, and the other part = mean - c: an area that is off by e/V moves it by part e/V.
+  // The harmonics of degree 2 that are even and odd in y have the same bounds around the sphere, hence the
+  // same rule, which misses e of the integral of either and e/V of the area, V the bound on the sphere. The
+  // odd one has the mean 0, and the other part = mean - c: an area that is off by e/V moves it by part e/V.
   const EllipsoidShape shape({1, 1, 4});
   const auto mean_of = [&](std::size_t place, double tolerance) {
     std::vector<double> harmonics(9, 0.0);

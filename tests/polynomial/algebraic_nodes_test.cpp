@@ -100,7 +100,8 @@ TEST(AlgebraicNumber, HasAMeasureThatItsBoundReaches) {
   }
 }
 
-// h of the root of n is log(n)/2, and the root of 2 with a zero of a cubic polynomial make a field of degree 6.
+// h of the root of n is log(n)/2, and the root of 2 with a zero of a cubic polynomial make a field of degree
+// 6.
 TEST(AlgebraicField, BoundsHeightsTimesItsDegree) {
   const AlgebraicField field({root_of(1000), zero_of(polynomial({-1000, -1, 0, 1}), 1, 20)});
   EXPECT_TRUE(certainly_less(Ball(3) * log(Ball(1000)), field.height(0)));

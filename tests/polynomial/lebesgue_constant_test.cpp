@@ -138,9 +138,9 @@ TEST(LebesgueConstant, OfLinearInterpolationIsARationalFunctionOfTheInset) {
   }
 }
 
-// Where the search goes on to two dozen digits, halving rounds a coefficient some hundred times, downwards each
-// time. The corner at which it ends has dyadic coordinates, and there the sum is known exactly. Of the sets that
-// were tried these are those whose roundings add up.
+// Where the search goes on to two dozen digits, halving rounds a coefficient some hundred times, downwards
+// each time. The corner at which it ends has dyadic coordinates, and there the sum is known exactly. Of the
+// sets that were tried these are those whose roundings add up.
 TEST(LebesgueConstant, IsNotAboveTheSumAtItsPoint) {
   for (const Nodes& nodes : {inset_nodes(3, Rational(1, 50)), inset_nodes(7, Rational(0)),
                              scattered_nodes(3, 4), scattered_nodes(4, 3), scattered_nodes(4, 6)}) {

@@ -126,8 +126,9 @@ TEST(Certify, RefusesWhatIsNotSo) {
   EXPECT_THROW(static_cast<void>(certify({.degree = 2, .precision = 1, .orbits = {}}, 1)), ContractViolation);
 }
 
-// The nodes with the coordinates 2/3, 1/6, 1/6 are exact for degree 2. At them (x_1 - 1/6)(x_2 - x_3) vanishes, so
-// that they determine no function of the space that it spans with 1 and x_1; nodes beside them do.
+// The nodes with the coordinates 2/3, 1/6, 1/6 are exact for degree 2. At them (x_1 - 1/6)(x_2 - x_3)
+// vanishes, so that they determine no function of the space that it spans with 1 and x_1; nodes beside them
+// do.
 TEST(Certify, RefusesNodesThatAreNotUnisolvent) {
   const SymmetricNodes beside{
       .degree = 2, .precision = 2, .orbits = {{.size = 3, .a = Rational(1, 6) + ten_to_minus(40)}}};

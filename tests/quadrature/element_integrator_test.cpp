@@ -347,10 +347,10 @@ double largest_on_ellipse(double distance, double rho) {
 }
 
 TEST(FlatRuleBound, IsThatOfTheBestEllipseForTheKernelItself) {
-  // What the bound is made of: twice 2 M rho^-m/(rho-1), m = 2n - 1 - d, for two variables, M the largest value
-  // of the kernel. P in the line of a chord comes as near to it as the bound says, but for sqrt(1 + g^2) in place
-  // of g; the bound takes the largest (Q - P).n_P at the nearest Q, which is (1 + theta)/(1 - theta) too
-  // much.
+  // What the bound is made of: twice 2 M rho^-m/(rho-1), m = 2n - 1 - d, for two variables, M the largest
+  // value of the kernel. P in the line of a chord comes as near to it as the bound says, but for sqrt(1 +
+  // g^2) in place of g; the bound takes the largest (Q - P).n_P at the nearest Q, which is (1 + theta)/(1 -
+  // theta) too much.
   for (const double eta : {8.0, 16.0, 64.0})
     for (const int degree : {0, 2})
       for (const int n : {3, 5, 8}) {

@@ -105,7 +105,8 @@ TEST(SharedLevel, HasItsNumbersWithoutAnybodyHavingAllOfIt) {
   }
 }
 
-// The rows are known worst in the west, which is the first rank's, and u on the ceiling, which is the last one's.
+// The rows are known worst in the west, which is the first rank's, and u on the ceiling, which is the last
+// one's.
 TEST(SharedLevel, TakesTheRadiusOfTheDataFromAllRanks) {
   Problem problem = in_clusters(with_basis(sample_problem("cube"), 1, Rational(1, 6)));
   problem.reflectivity = testing::by_piece({{"west", "3/4"}, {"*", "1/16"}});
