@@ -205,6 +205,8 @@ TEST(FarBound, SaysHowManyNodesAreNeeded) {
   EXPECT_GT(FarBound(7, 1, 0.5, 0.1).needed(1e-30), most_gauss_nodes);
   EXPECT_GT(FarBound(1, 1, 0.5, 0.1).needed(1), most_gauss_nodes);
   EXPECT_EQ(FarBound(7, 1, 0.5, 0).needed(1e-30), 1);
+  // What is sent is next to nothing.
+  EXPECT_EQ(FarBound(7, 1, 0.5, 0x1p-1070).needed(1), 1);
 }
 
 /// Lagrange's polynomials of n nodes at the end of the interval.
@@ -237,6 +239,13 @@ TEST(FarError, CountsWhatInterpolationMagnifies) {
   EXPECT_GE(FarError{}.of_interpolant(in_s, in_t, 0, 1), l_s * l_t * (4 * 5 + 4 * 9 + 5 + 9) * u);
 }
 
+// Each of 2^40 terms may be lost to half a unit of the sum.
+TEST(FarError, CountsTheRoundingsOfItsSums) {
+  const FarError error{.in_s = 1, .in_t = 0, .slope = 0, .parts = std::size_t{1} << 40U};
+  const LagrangeTable one = at_the_end(1);
+  EXPECT_GE(error.of_interpolant(one, one, 0, 0), 2 * (1 + 0x1p-13));
+}
+
 TEST(FarError, AddsUp) {
   const FarBound one(7, 1, 0.5, 0.1);
   const FarBound other(9, 0.5, 0.75, 0.2);
@@ -246,6 +255,7 @@ TEST(FarError, AddsUp) {
   EXPECT_EQ(error.in_s, one.of_polynomials(3) + other.of_polynomials(3));
   EXPECT_EQ(error.in_t, other.of_polynomials(5) + one.of_polynomials(5));
   EXPECT_GE(error.slope, 2 * one.of_slope() + 2 * other.of_slope());
+  EXPECT_EQ(error.parts, 2U);
 }
 
 TEST(LagrangeTable, ReproducesPolynomialsAndKnowsItsModuli) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -144,9 +145,9 @@ public:
   [[nodiscard]] Share none() const { return Share(count_, residuals_); }
   [[nodiscard]] std::vector<Share> of_cells(std::span<const ObserverCell> cells,
                                             const CellDemand& demand) const {
-    std::vector<double> tolerances;
-    for (const ObserverCell& cell : cells)
-      tolerances.push_back(takes_part(cell) ? tolerance(cell, demand) : not_looked_at);
+    Tolerances tolerances(cells.size());
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      if (takes_part(cells[c]) && !cells[c].is_strip()) tolerances[c] = tolerance(cells[c], demand);
     const std::vector<Samples> found = samples(cells, tolerances);
     std::vector<Share> out;
     for (std::size_t c = 0; c < cells.size(); ++c)
@@ -159,9 +160,10 @@ public:
   /// Bounds of |t_0|, whose samples are wanted within a part of what is allowed.
   [[nodiscard]] std::vector<double> largest(std::span<const ObserverCell> cells,
                                             std::span<const double> allowed) const {
-    std::vector<double> tolerances;
+    Tolerances tolerances(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c)
-      tolerances.push_back(std::min(0.05, 0.1 * allowed[c] / (gain(cells[c]) * trial_.smoothness.size())));
+      if (!cells[c].is_strip())
+        tolerances[c] = std::min(0.05, 0.1 * allowed[c] / (gain(cells[c]) * trial_.smoothness.size()));
     const std::vector<Samples> found = samples(cells, tolerances);
     std::vector<double> out;
     for (std::size_t c = 0; c < cells.size(); ++c) out.push_back(largest(cells[c], found[c]));
@@ -243,8 +245,8 @@ private:
       return largest;
     }
   };
-  /// A cell that is given this tolerance has no samples.
-  static constexpr double not_looked_at = 0;
+  /// Of samples, relative to w; none where a cell has no samples.
+  using Tolerances = std::vector<std::optional<double>>;
 
   /// Not what neither reflects nor sends: it is in neither sum.
   [[nodiscard]] bool takes_part(const ObserverCell& cell) const {
@@ -264,14 +266,11 @@ private:
 
   /// What is sent to the nodes of cells: by w alone, or by w and 1 where a part of T 1 = 1 is wanted.
   [[nodiscard]] std::vector<Transport::Values> sent(std::span<const ObserverCell> cells,
-                                                    std::span<const double> tolerances) const {
+                                                    const Tolerances& tolerances) const {
     std::vector<Transport::Values> out(cells.size());
-    const auto is_sampled = [&](std::size_t c) {
-      return !cells[c].is_strip() && tolerances[c] != not_looked_at;
-    };
     if (!trial_.scene.sight().is_open()) {
       for (std::size_t c = 0; c < cells.size(); ++c)
-        if (is_sampled(c)) out[c] = sent_past_panels(cells[c], tolerances[c]);
+        if (tolerances[c]) out[c] = sent_past_panels(cells[c], *tolerances[c]);
       return out;
     }
     for (std::size_t begin = 0; begin < cells.size();) {
@@ -282,10 +281,10 @@ private:
         std::vector<std::size_t> places;
         std::vector<CellNodes> wanted;
         for (std::size_t c = begin; c < end; ++c)
-          if (cells[c].closed == closed && is_sampled(c)) {
+          if (cells[c].closed == closed && tolerances[c]) {
             places.push_back(c);
             wanted.push_back({cells[c].box, cells[c].nodes_s, cells[c].nodes_t,
-                              closed ? 0.5 * tolerances[c] : tolerances[c]});
+                              closed ? 0.5 * *tolerances[c] : *tolerances[c]});
           }
         if (places.empty()) continue;
         std::vector<Transport::Values> found =
@@ -318,7 +317,7 @@ private:
   }
 
   [[nodiscard]] std::vector<Samples> samples(std::span<const ObserverCell> cells,
-                                             std::span<const double> tolerances) const {
+                                             const Tolerances& tolerances) const {
     const auto powers = static_cast<double>(trial_.q.degree() + 1);
     const double rounding = 40 * powers * powers * unit * trial_.smoothness.largest_residual();
     const bool as_they_are = shade_ == Shade::ignored || trial_.scene.sight().is_open();

@@ -43,13 +43,15 @@ int FarBound::needed(double allowed) const {
   // Interpolation multiplies it by (1+l) l, about.
   constexpr double of_interpolation = 20;
   const double needed = 1 + std::log(2 * of_interpolation * most_ / ((rho_ - 1) * allowed)) / std::log(rho_);
-  return needed <= most_gauss_nodes ? std::max(1, static_cast<int>(std::ceil(needed))) : most_gauss_nodes + 1;
+  return needed <= most_gauss_nodes ? static_cast<int>(std::ceil(std::max(needed, 1.0)))
+                                    : most_gauss_nodes + 1;
 }
 
 void FarError::add(const FarBound& of_s, const FarBound& of_t, int nodes_s, int nodes_t) {
   in_s += of_s.of_polynomials(nodes_s);
   in_t += of_t.of_polynomials(nodes_t);
   slope += of_s.of_slope() + of_t.of_slope();
+  ++parts;
 }
 
 double FarError::of_interpolant(const LagrangeTable& table_s, const LagrangeTable& table_t, double off,
@@ -57,7 +59,8 @@ double FarError::of_interpolant(const LagrangeTable& table_s, const LagrangeTabl
   const double l_s = table_s.largest();
   const double l_t = table_t.largest();
   const double roundings = 8 * static_cast<double>(table_s.nodes() + table_t.nodes()) * unit;
-  return ((1 + l_s) * in_s + l_s * (1 + l_t) * in_t + 16 * unit * slope +
+  const double added = 1 + 2 * static_cast<double>(parts) * unit;
+  return (((1 + l_s) * in_s + l_s * (1 + l_t) * in_t + 16 * unit * slope) * added +
           l_s * l_t * (off + roundings * (size + off))) *
          upward;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "radcert/continuous/elements/lagrange_table.h"
 
 namespace radcert {
@@ -34,7 +36,8 @@ private:
 struct FarError {
   double in_s = 0;  ///< between F and polynomials, on lines in s
   double in_t = 0;
-  double slope = 0;  ///< of F, in s and in t
+  double slope = 0;       ///< of F, in s and in t
+  std::size_t parts = 0;  ///< so many terms each
 
   void add(const FarBound& of_s, const FarBound& of_t, int nodes_s, int nodes_t);
   /// |F - I F| for the interpolant of values that are off by `off` and no larger than `size`, at the points
