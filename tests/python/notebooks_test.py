@@ -6,15 +6,15 @@ import subprocess
 import sys
 import unittest
 
-from module import EXAMPLES, SOURCE, ModuleTest
+from module import EXAMPLES, MOST_SECONDS, SOURCE, ModuleTest
 
 RUNNER = SOURCE / "apps" / "site" / "notebook.py"
 NOTEBOOKS = sorted((EXAMPLES / "notebooks").glob("*.py"))
 
 
 def run(notebook, *words):
-    return subprocess.run([sys.executable, "-B", RUNNER, notebook, *words], capture_output=True, text=True, timeout=1400,
-                          check=False)
+    return subprocess.run([sys.executable, "-B", RUNNER, notebook, *words], capture_output=True, text=True,
+                          timeout=MOST_SECONDS, check=False)
 
 
 class Notebooks(ModuleTest):

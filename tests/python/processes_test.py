@@ -6,7 +6,7 @@ import sys
 import textwrap
 import unittest
 
-from module import ModuleTest
+from module import MOST_SECONDS, ModuleTest
 
 # Minutes of work, cut short by what is tried; `at_work` is set once it has begun.
 LONG = """
@@ -27,7 +27,7 @@ class Processes(ModuleTest):
 
     def run_to_its_end(self, text, code=0):
         process = self.start(text)
-        output, said = process.communicate(timeout=1400)
+        output, said = process.communicate(timeout=MOST_SECONDS)
         self.assertEqual(process.returncode, code, output + said)
         return output, said
 
@@ -41,7 +41,7 @@ class Processes(ModuleTest):
         """)
         self.assertEqual(process.stdout.readline(), "begun\n")
         process.send_signal(signal.SIGINT)
-        output, said = process.communicate(timeout=1400)
+        output, said = process.communicate(timeout=MOST_SECONDS)
         self.assertEqual((output, process.returncode), ("stopped\n2.0\n", 0), said)
 
     def test_a_handler_of_ones_own_decides(self):
@@ -104,7 +104,7 @@ class Processes(ModuleTest):
         """)
         self.assertEqual(process.stdout.readline(), "begun\n")
         process.send_signal(signal.SIGINT)
-        output, said = process.communicate(timeout=1400)
+        output, said = process.communicate(timeout=MOST_SECONDS)
         self.assertEqual(process.returncode, 0, said)
         self.assertEqual(output.replace("begun\n", ""), "stopped\n2.0\n", said)
         # All calls would be some seven hundred.
@@ -198,7 +198,7 @@ class Processes(ModuleTest):
         """)
         self.assertEqual(process.stdout.readline(), "begun\n")
         process.send_signal(signal.SIGINT)
-        output, said = process.communicate(timeout=1400)
+        output, said = process.communicate(timeout=MOST_SECONDS)
         self.assertEqual(process.returncode, 0, said)
         self.assertTrue(output.startswith("other:"), output)
         self.assertTrue(output.endswith("1\n"), output)
@@ -218,7 +218,7 @@ class Processes(ModuleTest):
                 print(len(rc.reference("cube_opposite_faces", 10).routes), flush=True)
                 os._exit(0)
             assert os.waitpid(child, 0)[1] == 0
-        """)], capture_output=True, text=True, timeout=1400, check=True)
+        """)], capture_output=True, text=True, timeout=MOST_SECONDS, check=True)
         self.assertEqual(done.stdout, "2\n")
 
     def test_a_fork_after_it_is_refused_by_name(self):

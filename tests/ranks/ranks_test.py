@@ -8,7 +8,7 @@ import sys
 import unittest
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "apps"))
-from program import RADCERT, ProgramTest, small  # noqa: E402
+from program import MOST_SECONDS, RADCERT, ProgramTest, small  # noqa: E402
 
 MPIRUN = os.environ["RADCERT_MPIRUN"]
 
@@ -33,7 +33,7 @@ class Ranks(ProgramTest):
         own = ["--allow-run-as-root"] if os.geteuid() == 0 else []
         return subprocess.run([MPIRUN, *own, "--oversubscribe", "-n", str(count), *before, RADCERT, *words],
                               cwd=self.folder, env=self.environment(OMPI_MCA_rmaps_base_oversubscribe="1"),
-                              stdin=subprocess.DEVNULL, capture_output=True, timeout=1400, **options)
+                              stdin=subprocess.DEVNULL, capture_output=True, timeout=MOST_SECONDS, **options)
 
     def expect_ranks(self, count, code, *words):
         done = self.run_ranks(count, *words)
@@ -126,13 +126,13 @@ class Ranks(ProgramTest):
         own = ["--allow-run-as-root"] if os.geteuid() == 0 else []
         part = lambda folder: ["-n", "1", "--wdir", self.path(folder), RADCERT, "solve", "problem.json"]
         done = subprocess.run([MPIRUN, *own, "--oversubscribe", *part("a"), ":", *part("b")], cwd=self.folder,
-                              env=self.environment(), capture_output=True, timeout=1400, check=False)
+                              env=self.environment(), capture_output=True, timeout=MOST_SECONDS, check=False)
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertIn(b"is another file on rank 1", done.stderr)
         # A rank that does not see the file is told what it says.
         os.remove(self.path("b/problem.json"))
         done = subprocess.run([MPIRUN, *own, "--oversubscribe", *part("a"), ":", *part("b")], cwd=self.folder,
-                              env=self.environment(), capture_output=True, timeout=1400, check=False)
+                              env=self.environment(), capture_output=True, timeout=MOST_SECONDS, check=False)
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_factors_are_shared_by_blocks(self):

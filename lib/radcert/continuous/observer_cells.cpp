@@ -192,14 +192,7 @@ private:
 
   /// Cuts the longer sides of a cell.
   void halve(const SectorBox& box, long depth_of_cuts, std::vector<PartOfElement> may_be_shaded) {
-    SectorBox lower = box;
-    SectorBox upper = box;
-    const double length = (1 - box.middle_t()) * (box.s1 - box.s0) * norm(sector_.b - sector_.a);
-    const double depth = (box.t1 - box.t0) * norm(sector_.c - sector_.point(box.middle_s(), 0));
-    if (length >= depth)
-      lower.s1 = upper.s0 = box.middle_s();
-    else
-      lower.t1 = upper.t0 = box.middle_t();
+    const auto [lower, upper] = halves(sector_, box);
     add(lower, depth_of_cuts + 1, may_be_shaded);
     add(upper, depth_of_cuts + 1, std::move(may_be_shaded));
   }

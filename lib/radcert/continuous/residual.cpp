@@ -512,7 +512,7 @@ std::vector<ElementResidual> element_residuals(const Trial& trial, std::span<con
 
 namespace {
 
-/// Cells whose sums are kept together: a second or two of work.
+/// Cells that one thread takes, and among which what distant parts send is shared; parts are kept together.
 constexpr std::size_t cells_at_a_time = 64;
 constexpr std::size_t cells_of_a_part = 16 * cells_at_a_time;
 

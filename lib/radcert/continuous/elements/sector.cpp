@@ -36,6 +36,18 @@ double largest_coordinate(const Vector<double>& p) {
 
 }  // namespace
 
+std::array<SectorBox, 2> halves(const Sector& sector, const SectorBox& box) {
+  SectorBox lower = box;
+  SectorBox upper = box;
+  const double length = (1 - box.middle_t()) * (box.s1 - box.s0) * norm(sector.b - sector.a);
+  const double depth = (box.t1 - box.t0) * norm(sector.c - sector.point(box.middle_s(), 0));
+  if (length >= depth)
+    lower.s1 = upper.s0 = box.middle_s();
+  else
+    lower.t1 = upper.t0 = box.middle_t();
+  return {lower, upper};
+}
+
 SectorScene::SectorScene(std::vector<Panel> panels, const std::vector<Panel>& blockers)
     : panels_(std::move(panels)), origin_(middle(panels_)) {
   for (std::size_t k = 0; k < panels_.size(); ++k) {

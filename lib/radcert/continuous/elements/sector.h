@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -47,6 +48,9 @@ struct SectorBox {
   [[nodiscard]] double weight() const { return (s1 - s0) * (t1 - t0) * (1 - middle_t()); }
   friend bool operator==(const SectorBox& a, const SectorBox& b) = default;
 };
+
+/// The halves of a box, cut across its longer sides on a sector; the lower parameters first.
+[[nodiscard]] std::array<SectorBox, 2> halves(const Sector& sector, const SectorBox& box);
 
 /// The boundary of a polyhedron, ready for integration.
 /// Maths     sectors of a panel follow one another, in the order of its sides; extent bounds the coordinates

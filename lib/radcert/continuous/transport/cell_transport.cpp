@@ -14,6 +14,7 @@
 #include "radcert/continuous/occlusion/penumbra.h"
 #include "radcert/continuous/transport/far_bound.h"
 #include "radcert/continuous/transport/source_rule.h"
+#include "radcert/core/contract.h"
 
 namespace radcert {
 namespace {
@@ -93,22 +94,6 @@ private:
     [[nodiscard]] bool is_far() const { return needed_s <= most_gauss_nodes && needed_t <= most_gauss_nodes; }
   };
 
-  /// Cuts the longer sides of a part.
-  void cut(const PartOfElement& part, std::vector<PartOfElement>& into) const {
-    const Sector& sector = scene_.sectors()[transport_.elements()[part.element].sector];
-    const SectorBox& box = part.box;
-    const double length = (1 - box.middle_t()) * (box.s1 - box.s0) * norm(sector.b - sector.a);
-    const double depth = (box.t1 - box.t0) * norm(sector.c - sector.point(box.middle_s(), 0));
-    PartOfElement lower = part;
-    PartOfElement upper = part;
-    if (length >= depth)
-      lower.box.s1 = upper.box.s0 = box.middle_s();
-    else
-      lower.box.t1 = upper.box.t0 = box.middle_t();
-    into.push_back(upper);
-    into.push_back(lower);
-  }
-
   static std::size_t size_of(const CellNodes& cell) {
     return static_cast<std::size_t>(cell.nodes_s) * static_cast<std::size_t>(cell.nodes_t);
   }
@@ -158,7 +143,10 @@ private:
       ahead.pop_back();
       const Far found = far(part, box, tolerance);
       if (!found.is_far() && found.size > large_source * size) {
-        cut(part, ahead);
+        const auto [lower, upper] =
+            halves(scene_.sectors()[transport_.elements()[part.element].sector], part.box);
+        ahead.push_back({part.element, upper});
+        ahead.push_back({part.element, lower});
         continue;
       }
       if (found.is_far())
@@ -269,6 +257,8 @@ private:
 std::vector<Transport::Values> transport_to_cells(const Transport& transport, std::size_t element,
                                                   std::span<const CellNodes> cells,
                                                   std::optional<std::size_t> without) {
+  expects(transport.scene().sight().is_open(), "no panel hides another",
+          named("panels", transport.scene().panels().size()));
   CellSums sums(transport, element, cells);
   std::vector<std::size_t> family(cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) family[c] = c;

@@ -26,7 +26,7 @@ struct CellNodes {
 ///           there, by as few nodes as FarBound asks for; larger parts are cut, and what is left is summed
 ///           for half of the family, at last for a single cell. Of each cell the radius has what interpolants
 ///           leave, FarError, and l_s l_t times that of the values at the nodes
-/// Requires  the transport's scene is open
+/// Requires  the transport's scene is open (PanelSight), else ContractViolation
 /// Result    by cell, as Transport gives them; the radius holds at all nodes of the cell
 [[nodiscard]] std::vector<Transport::Values> transport_to_cells(
     const Transport& transport, std::size_t element, std::span<const CellNodes> cells,
