@@ -14,6 +14,8 @@
 #include "radcert/continuous/elements/gauss_tables.h"
 #include "radcert/continuous/elements/lagrange_table.h"
 #include "radcert/continuous/transport/far_bound.h"
+#include "radcert/core/contract.h"
+#include "tests/continuous/rooms.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {
@@ -118,6 +120,13 @@ TEST(CellTransport, LeavesAPanelOut) {
         EXPECT_LE(std::abs(found[c].values[i] - alone.values[i]), found[c].radius + alone.radius);
     }
   }
+}
+
+TEST(CellTransport, IsNotForPanelsThatHideEachOther) {
+  const SectorScene room(test::cut(test::l_room()), test::l_room());
+  const std::vector<SectorElement> elements = graded_elements(room, 1);
+  const Transport transport(room, elements, SectorFunctions(elements.size(), 1, 0));
+  EXPECT_THROW(static_cast<void>(transport_to_cells(transport, 0, {})), ContractViolation);
 }
 
 TEST(CellTransport, OfNothingIsNothing) {
