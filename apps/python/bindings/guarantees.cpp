@@ -157,6 +157,7 @@ py::dict checked(const std::string& file, const std::optional<std::int64_t>& ele
   py::list points;
   py::object refusal = py::none();
   py::object function = py::none();
+  py::object outside = py::none();
   const certificate::Certificate& c = verdict.read.certificate;
   if (verdict.report.refusal) {
     refusal = py::str(verdict.report.refusal->pointer + ": " + verdict.report.refusal->says);
@@ -174,12 +175,15 @@ py::dict checked(const std::string& file, const std::optional<std::int64_t>& ele
                    py::arg("at") = py::make_tuple(fraction_of(at.x), fraction_of(at.y), fraction_of(at.z)),
                    py::arg("value") = enclosed));
     }
-    if (const std::optional<Rational> sup = certificate::function_bound(c)) function = fraction_of(*sup);
+    if (const std::optional<certificate::BoundAtDistance> bound = certificate::function_bound(c)) {
+      function = fraction_of(bound->sup);
+      outside = fraction_of(bound->outside);
+    }
   }
   return py::dict(py::arg("verified") = !verdict.report.refusal.has_value(), py::arg("refusal") = refusal,
                   py::arg("elements") = certificate::part_count(c),
                   py::arg("looked_at") = verdict.report.looked_at.size(), py::arg("means") = means,
-                  py::arg("points") = points, py::arg("function") = function);
+                  py::arg("points") = points, py::arg("function") = function, py::arg("outside") = outside);
 }
 
 }  // namespace

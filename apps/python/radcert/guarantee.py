@@ -93,7 +93,8 @@ class Check(NamedTuple):
     verified: whether all that was looked at holds; refusal: else the place and the reason. elements: how many the certificate
     has, on an ellipsoid rows of points; looked_at: the claims on how many were proved again. means: (midpoint, radius) by
     piece, Fractions. points: of a certificate of values, a list of dicts with piece, at and value, a (midpoint, radius).
-    function: of a certificate of a function, how far the solution is from it at most.
+    function: of a certificate of a function, how far the solution is from it at most, at points that are outside or more
+    from every vertex: 0, everywhere.
     """
 
     verified: bool
@@ -103,6 +104,7 @@ class Check(NamedTuple):
     means: dict[str, tuple[Fraction, Fraction]]
     points: list[dict[str, Any]]
     function: Optional[Fraction] = None
+    outside: Optional[Fraction] = None
 
 
 def check_certificate(path: Path, elements: Optional[int] = None, *, seed: Optional[str] = None,

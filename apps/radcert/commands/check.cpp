@@ -86,8 +86,9 @@ struct PartWords {
 };
 PartWords part_words(const certificate::Certificate& certificate) {
   if (const auto* const c = std::get_if<certificate::PolyhedronCertificate>(&certificate))
-    return {std::string("the surface, the sums, the ") + (c->of_values() ? "values" : "means") +
-                " and the claims on ",
+    return {c->of_function() ? "the surface, the bounds that follow, and the claims on "
+                             : std::string("the surface, the sums, the ") +
+                                   (c->of_values() ? "values" : "means") + " and the claims on ",
             "elements"};
   return {"the reflectivity, what follows from the residual, and the residual at ", "rows of points"};
 }
@@ -120,9 +121,11 @@ std::string summary(const CheckOptions& options, const Verdict& verdict) {
                                               enclosed_text(number.enclosure)});
     is_first = false;
   }
-  if (const std::optional<Rational> sup = certificate::function_bound(c))
+  if (const std::optional<certificate::BoundAtDistance> bound = certificate::function_bound(c))
     rows.push_back(
-        {"u", "within " + upper_text(*sup, DecimalForm::general(6)) + " of the function, everywhere"});
+        {"u", "within " + upper_text(bound->sup, DecimalForm::general(6)) + " of the function, " +
+                  (bound->outside.sign() == 0 ? "everywhere"
+                                              : bound->outside.to_text() + " or more from every vertex")});
   return aligned_left(rows);
 }
 

@@ -34,10 +34,14 @@ std::vector<CertifiedNumber> numbers(const Certificate& certificate) {
   return std::visit([](const auto& of_its_kind) { return numbers_of(of_its_kind); }, certificate);
 }
 
-std::optional<Rational> function_bound(const Certificate& certificate) {
-  const auto* const ellipsoid = std::get_if<EllipsoidCertificate>(&certificate);
-  if (ellipsoid == nullptr || ellipsoid->of != OnEllipsoid::function) return std::nullopt;
-  return ellipsoid->bound;
+std::optional<BoundAtDistance> function_bound(const Certificate& certificate) {
+  if (const auto* const c = std::get_if<EllipsoidCertificate>(&certificate)) {
+    if (c->of != OnEllipsoid::function) return std::nullopt;
+    return BoundAtDistance{.outside = 0, .sup = c->bound};
+  }
+  const auto& c = *std::get_if<PolyhedronCertificate>(&certificate);
+  if (!c.of_function()) return std::nullopt;
+  return BoundAtDistance{.outside = c.outside, .sup = Rational(1, 2) * c.width};
 }
 
 std::size_t part_count(const Certificate& certificate) {

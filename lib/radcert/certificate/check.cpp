@@ -9,6 +9,7 @@
 #include "radcert/certificate/ball_transport.h"
 #include "radcert/certificate/densities.h"
 #include "radcert/certificate/element_check.h"
+#include "radcert/certificate/function_facts.h"
 #include "radcert/certificate/line_bounds.h"
 #include "radcert/certificate/occlusion/shade.h"
 #include "radcert/certificate/occlusion/sight.h"
@@ -81,11 +82,18 @@ double scaled_up(double x, int exponent) {
 }
 
 /// A claim held against what is proved in scaled units.
-/// Maths     lengths are 2^l, function k 2^(e_k) times those: norms 2^(l+e_k), products 2^(2l+e_0+e_k)
+/// Maths     lengths are 2^l, function k 2^(e_k) times those: norms 2^(l+e_k), products 2^(2l+e_0+e_k), the
+///           largest value 2^e_0
 std::optional<Refusal> claim_fault(const PolyhedronCertificate& c, std::size_t element,
                                    const ResidualBounds& proved, int length, const Densities& densities) {
   const Claim& claim = c.claims[element];
   const std::string pointer = place("/claims", element);
+  if (c.of_function()) {
+    const double largest = scaled_up(proved.largest, densities.exponent());
+    if (largest <= claim.largest) return std::nullopt;
+    return Refusal{pointer + "/largest",
+                   "claims " + shortest(claim.largest) + ", and " + bound_text(largest) + " is proved"};
+  }
   for (std::size_t k = 0; k < claim.norms.size(); ++k) {
     const double norm = scaled_up(proved.norms[k], length + densities.exponent(k));
     if (!(norm <= claim.norms[k]))
@@ -118,6 +126,7 @@ std::optional<Refusal> claim_fault(const PolyhedronCertificate& c, std::size_t e
 bool is_hopeless(const PolyhedronCertificate& c, std::size_t element, const ResidualBounds& found, int length,
                  const Densities& densities) {
   const Claim& claim = c.claims[element];
+  if (c.of_function()) return false;
   for (std::size_t k = 0; k < claim.norms.size(); ++k)
     if (std::ldexp(found.norms[k] - found.doubts[k], length + densities.exponent(k)) > claim.norms[k])
       return true;
@@ -131,7 +140,7 @@ bool is_hopeless(const PolyhedronCertificate& c, std::size_t element, const Resi
 
 /// Parts of the claims that rules may leave.
 struct Share {
-  double of_norm = 0;
+  double of_norm = 0;  ///< and of a largest value
   double of_product = 0;
 };
 
@@ -139,7 +148,12 @@ struct Share {
 Allowance allowance_of(const PolyhedronCertificate& c, const Densities& densities, std::size_t element,
                        int length, const Share& share) {
   const Claim& claim = c.claims[element];
-  Allowance out{infinity, infinity};
+  Allowance out;
+  if (c.of_function()) {
+    out.claim = densities.vanishes(0) ? infinity : std::ldexp(claim.largest, -densities.exponent());
+    out.largest = out.claim * share.of_norm;
+    return out;
+  }
   for (std::size_t k = 0; k < claim.norms.size(); ++k) {
     out.norm_room.push_back(
         densities.vanishes(k) ? infinity : std::ldexp(claim.norms[k], -length - densities.exponent(k)));
@@ -159,12 +173,10 @@ Allowance allowance_of(const PolyhedronCertificate& c, const Densities& densitie
   return out;
 }
 
-/// Values are certified where every face sees all others.
+/// Values and functions are certified where every face sees all others.
 std::optional<Refusal> occlusion_fault(const PolyhedronCertificate& c) {
-  if (!c.of_values() || is_convex(c)) return std::nullopt;
-  return Refusal{"/points/0",
-                 "is a point of a surface whose parts hide each other, where means alone are "
-                 "certified"};
+  if ((!c.of_values() && !c.of_function()) || is_convex(c)) return std::nullopt;
+  return Refusal{"/of", "is not means, and parts of the surface hide each other"};
 }
 
 /// Whether something is claimed to be exactly 0 that no rounded computation could prove.
@@ -172,7 +184,7 @@ std::optional<Refusal> zero_fault(const PolyhedronCertificate& c, const Scene& s
                                   const Densities& densities, std::size_t element) {
   if (c.faces[c.elements[element].face].reflectivity.sign() == 0) return std::nullopt;
   const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), {1, 1});
-  if (allowance.norm > 0 && allowance.product > 0) return std::nullopt;
+  if (allowance.norm > 0 && allowance.product > 0 && allowance.largest > 0) return std::nullopt;
   return Refusal{place("/claims", element), "claims that something is exactly 0"};
 }
 
@@ -183,10 +195,10 @@ std::optional<Refusal> element_fault(const PolyhedronCertificate& c, const Scene
   const Face& face = c.faces[c.elements[element].face];
   if (face.reflectivity.sign() == 0) {
     // rho t^2 and w_k t_0 = rho y t_0 are 0.
-    const ResidualBounds nothing{std::vector<double>(c.functions()),
-                                 std::vector<double>(c.goals()),
-                                 std::vector<double>(c.goals()),
-                                 {}};
+    const ResidualBounds nothing{.norms = std::vector<double>(c.functions()),
+                                 .products = std::vector<double>(c.goals()),
+                                 .radii = std::vector<double>(c.goals()),
+                                 .doubts = {}};
     return claim_fault(c, element, nothing, scene.exponent(), densities);
   }
   // The last time the claim is not to be refused for what rules leave. Shade is a large part of a claim, and
@@ -203,6 +215,7 @@ std::optional<Refusal> element_fault(const PolyhedronCertificate& c, const Scene
 }
 
 std::optional<Refusal> sums_fault(const PolyhedronCertificate& c) {
+  if (c.of_function()) return function_fault(c);
   const ClaimSums claims = sums_of_claims(c);
   for (std::size_t k = 0; k < c.functions(); ++k)
     if (!certainly_at_most(sqrt(claims.squares[k]), Ball(c.sums.norms[k])))

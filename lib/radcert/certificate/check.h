@@ -8,7 +8,7 @@
 
 namespace radcert::certificate {
 
-/// Sums of the claims, and the means or values that follow from them.
+/// Sums of the claims, and the means or values that follow from them; of a function nothing.
 /// Maths     norms[k] = (sum norms_k^2)^(1/2), products and radii as sums; the mean over piece k is (Int_k
 ///           w_0 + products[k] +- (radii[k] + norms[0] norms[1+k]/(1 - max rho)))/area. Theorem: B =
 ///           rho^(1/2) T rho^(1/2) is self-adjoint in L2 and not longer than s = max rho, by Schur's test
@@ -25,11 +25,11 @@ struct Summed {
 [[nodiscard]] Summed summed(const PolyhedronCertificate& certificate);
 
 /// Checks a certificate, by means that share no function with the search that made it.
-/// Maths     surface_fault, reflectivity_fault, points_fault, tiling_fault, and values are of surfaces
-///           without a face behind another one; of the elements that are looked at, the claims by
+/// Maths     surface_fault, reflectivity_fault, points_fault, tiling_fault, and values and functions are of
+///           surfaces without a face behind another one; of the elements that are looked at, the claims by
 ///           ElementCheck; the stated sums are those of the claims or wider, the means or values those of
-///           summed or wider, the width is no less than twice the largest radius. All claims together prove
-///           the means or values. Where parts hide each other T w is enclosed on cells of elements from what
+///           summed or wider, the width is no less than twice the largest radius; of a function
+///           function_fault. All claims together prove the means, values or bounds. Where parts hide each other T w is enclosed on cells of elements from what
 ///           all points of a cell see for certain (Sight); what some of them may not see is closed by T 1 = 1
 ///           with constants near w there, and bounded (Shade)
 /// Requires  lists of the lengths that PolyhedronCertificate states, finite numbers

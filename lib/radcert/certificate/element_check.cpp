@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "radcert/certificate/cell_supremum.h"
 #include "radcert/certificate/gauss_rule.h"
 #include "radcert/scalar/pack.h"
 
@@ -18,7 +19,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double unit = 0x1p-53;
-constexpr int most_cell_nodes = 16;
 constexpr int deepest = 120;
 
 }  // namespace
@@ -31,6 +31,7 @@ struct ElementCheck::Cell {
   std::optional<EdgeClosing> closing = std::nullopt;
   double norm_left = 0;     ///< sup-like: times |X|^(1/2)
   double product_left = 0;  ///< times |X| sup|w_k|
+  double largest_left = 0;  ///< of sup |t_0|
   double least_mass = 0;    ///< of its view
   Shade shade = {};         ///< nothing where every face sees all others
 };
@@ -65,6 +66,7 @@ public:
       shade_density_ = std::max(
           shade_density_, densities_.size_of(element, k) / room(allowance.product_room, k - 1) * upward);
     plan_.norms.resize(densities_.count());
+    is_of_function_ = check.certificate_.of_function();
     has_closing_ = triangle_.beyond &&
                    sight_.face_each_other(triangle_.face, check.scene_.triangles()[*triangle_.beyond].face);
     least_nodes_ = densities_.degree() + 1;
@@ -111,44 +113,80 @@ private:
           root(cell.box) * (cell.norm_left + (cell.shade.radii.empty() ? 0 : cell.shade.radii[k])) * upward;
       plan_.norms[k] += own * own * upward;
     }
+    cell.largest_left = (cell.largest_left + (cell.shade.radii.empty() ? 0 : cell.shade.radii[0])) * upward;
     plan_.product += area(cell.box) * (density_ * cell.product_left + of_product(cell.shade)) * upward;
     plan_.cells.push_back(std::move(cell));
   }
 
   [[nodiscard]] bool is_little(const Box& box, double sup, double part) const {
-    return root(box) * sup <= part * norm_ && area(box) * density_ * sup <= part * product_;
+    return root(box) * sup <= part * norm_ && area(box) * density_ * sup <= part * product_ &&
+           rho_ * sup <= part * allowance_.largest;
+  }
+  /// Whether nothing need be known of a box but the size of its residual.
+  [[nodiscard]] bool is_negligible(const Box& box, double residual) const {
+    return root(box) * residual <= norm_ && area(box) * density_ * residual <= product_ &&
+           rho_ * residual <= allowance_.claim;
   }
 
-  /// The least number of nodes that is enough in one parameter; 0 where there is none.
-  [[nodiscard]] int nodes(const PolynomialErrors& left, const Box& box, bool in_s) const {
-    for (int n = least_nodes_; n <= most_cell_nodes; ++n)
-      if (2 * left[static_cast<std::size_t>(n - 1)] * root(box) <= 0.4 * norm_ &&
-          2 * product_error(left, n, in_s) * area(box) * density_ <= 0.4 * product_)
+  /// The least number of nodes that is enough in one parameter; 0 where there is none. What is left of
+  /// largest values is larger by interpolation in the other one.
+  [[nodiscard]] int nodes(const PolynomialErrors& left, const Box& box, bool in_s, double other = 1) const {
+    for (int n = least_nodes_; n <= most_cell_nodes; ++n) {
+      const double error = left[static_cast<std::size_t>(n - 1)];
+      if (2 * error * root(box) <= 0.4 * norm_ &&
+          2 * product_error(left, n, in_s) * area(box) * density_ <= 0.4 * product_ &&
+          rho_ * other * (1 + interpolation_norm(n)) * error <= 0.4 * allowance_.largest)
         return n;
+    }
     return 0;
+  }
+  [[nodiscard]] int nodes_t(const PolynomialErrors& left, const Box& box, int nodes_s) const {
+    return nodes(left, box, false, interpolation_norm(nodes_s == 0 ? most_cell_nodes : nodes_s));
   }
   [[nodiscard]] double product_error(const PolynomialErrors& left, int n, bool in_s) const {
     const int exact = 2 * n - densities_.degree() - (in_s ? 0 : 1);
     return left[static_cast<std::size_t>(std::clamp(exact, 1, static_cast<int>(left.size())) - 1)];
   }
 
+  /// A closing that leaves little. Of a function also one at the end of an element beyond: its norms are as
+  /// good without.
+  [[nodiscard]] std::optional<EdgeClosing> closing_of(const Box& box) const {
+    std::optional<EdgeClosing> closing = lines_.closing(element_, box);
+    if (closing && is_little(box, closing->beside, 0.5)) return closing;
+    if (!is_of_function_) return std::nullopt;
+    closing = lines_.closing_at_end(element_, box);
+    if (closing && is_little(box, closing->beside - closing->jump, 0.5)) return closing;
+    return std::nullopt;
+  }
+  [[nodiscard]] bool would_close_if_short(const Box& box) const {
+    if (is_little(box, lines_.short_beside(element_, box), 0.5)) return true;
+    if (!is_of_function_) return false;
+    const std::optional<double> end = lines_.nearest_end(element_, box);
+    if (!end || *end < box.s0 || *end > box.s1) return false;
+    Box shorter = box;
+    shorter.s0 = shorter.s1 = *end;
+    const std::optional<EdgeClosing> closing = lines_.closing_at_end(element_, shorter);
+    return closing && is_little(box, closing->beside - closing->jump, 0.5);
+  }
+
   bool try_rules(const Box& box, const PolynomialErrors& in_s, const PolynomialErrors& in_t,
                  std::optional<EdgeClosing> closing, const Shade& shade) {
-    const int nodes_s = nodes(in_s, box, true);
-    const int nodes_t = nodes(in_t, box, false);
-    if (nodes_s == 0 || nodes_t == 0) return false;
+    const int of_s = nodes(in_s, box, true);
+    const int of_t = nodes_t(in_t, box, of_s);
+    if (of_s == 0 || of_t == 0) return false;
     const double beside = closing ? closing->beside : 0;
+    const double e_s = in_s[static_cast<std::size_t>(of_s - 1)];
+    const double e_t = in_t[static_cast<std::size_t>(of_t - 1)];
     accept({.box = box,
-            .nodes_s = nodes_s,
-            .nodes_t = nodes_t,
+            .nodes_s = of_s,
+            .nodes_t = of_t,
             .closing = std::move(closing),
-            .norm_left = (2 * (in_s[static_cast<std::size_t>(nodes_s - 1)] +
-                               in_t[static_cast<std::size_t>(nodes_t - 1)]) +
-                          beside) *
-                         upward,
+            .norm_left = (2 * (e_s + e_t) + beside) * upward,
             .product_left =
-                (2 * (product_error(in_s, nodes_s, true) + product_error(in_t, nodes_t, false)) + beside) *
-                upward,
+                (2 * (product_error(in_s, of_s, true) + product_error(in_t, of_t, false)) + beside) * upward,
+            .largest_left = ((1 + interpolation_norm(of_s)) * e_s +
+                             interpolation_norm(of_s) * (1 + interpolation_norm(of_t)) * e_t + beside) *
+                            upward,
             .least_mass = least_mass(box),
             .shade = shade});
     return true;
@@ -166,8 +204,9 @@ private:
 
   void add(const Box& box, int depth) {
     const double residual = (residual_ + kernels_.size(lines_.triangle_place(element_), box)) * upward;
-    if (is_little(box, residual, 1) || depth >= deepest || plan_.cells.size() >= most_checked_cells.count()) {
-      accept({.box = box, .norm_left = residual, .product_left = residual});
+    if (is_negligible(box, residual) || depth >= deepest ||
+        plan_.cells.size() >= most_checked_cells.count()) {
+      accept({.box = box, .norm_left = residual, .product_left = residual, .largest_left = residual});
       return;
     }
     const View view = sight_.view(lines_.triangle_place(element_), box, least_mass(box));
@@ -176,19 +215,20 @@ private:
     if (box.t0 == 0 && (has_closing_ || sight_.is_open())) {
       bool cuts_s = false;
       if (has_closing_) {
-        std::optional<EdgeClosing> closing = lines_.closing(element_, box);
-        if (closing && is_little(box, closing->beside, 0.5)) {
+        std::optional<EdgeClosing> closing = closing_of(box);
+        if (closing) {
           const Shade shade = shades_.at_edge(view.shaded, closing->element, 1 - box.s1, 1 - box.s0);
           if (is_small(box, shade)) {
             const PolynomialErrors in_s = left(box, true, &*closing, view, shade);
             const PolynomialErrors in_t = left(box, false, &*closing, view, shade);
             if (try_rules(box, in_s, in_t, closing, shade)) return;
-            cuts_s = nodes(in_s, box, true) == 0 && nodes(in_t, box, false) != 0;
+            const int of_s = nodes(in_s, box, true);
+            cuts_s = of_s == 0 && nodes_t(in_t, box, of_s) != 0;
           } else {
             cuts_s = length >= height;
           }
         } else {
-          cuts_s = is_little(box, lines_.short_beside(element_, box), 0.5);
+          cuts_s = would_close_if_short(box);
         }
       }
       cut(box, cuts_s, cuts_s ? box.middle_s() : box.t1 / 4, depth);
@@ -203,8 +243,9 @@ private:
     const PolynomialErrors in_s = left(box, true, nullptr, view, shade);
     const PolynomialErrors in_t = left(box, false, nullptr, view, shade);
     if (try_rules(box, in_s, in_t, std::nullopt, shade)) return;
-    const bool lacks_s = nodes(in_s, box, true) == 0;
-    const bool lacks_t = nodes(in_t, box, false) == 0;
+    const int of_s = nodes(in_s, box, true);
+    const bool lacks_s = of_s == 0;
+    const bool lacks_t = nodes_t(in_t, box, of_s) == 0;
     const bool cuts_s = lacks_s && (!lacks_t || length >= height);
     cut(box, cuts_s, cuts_s ? box.middle_s() : box.middle_t(), depth);
   }
@@ -235,6 +276,7 @@ private:
   double shade_density_ = 0;  ///< of products, relative to the room for them
   double residual_ = 0;
   bool has_closing_ = false;
+  bool is_of_function_ = false;
   int least_nodes_ = 1;
   Plan plan_;
 };
@@ -280,10 +322,14 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
   const SideTriangle& triangle = lines_.triangle(element);
   const double area =
       triangle.jacobian * (box.s1 - box.s0) * (box.t1 - box.t0) * (1 - box.middle_t()) * upward;
+  const double rho = densities_.reflectivity(element);
   const double of_product = cell.product_left + (cell.shade.radii.empty() ? 0 : cell.shade.radii[0]) * upward;
   for (std::size_t k = 1; k < count; ++k)
     sums.radii[k - 1] += area * densities_.size_of(element, k) * of_product * upward;
-  if (cell.nodes_s == 0) return;
+  if (cell.nodes_s == 0) {
+    sums.largest = std::max(sums.largest, rho * cell.largest_left * upward);
+    return;
+  }
 
   const Element& whole = certificate_.elements[element];
   const GaussRule& rule_s = gauss_rule(cell.nodes_s);
@@ -303,7 +349,6 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
       observers.s.push_back(s);
       observers.t.push_back(t);
     }
-  const double rho = densities_.reflectivity(element);
   const double size = densities_.largest();
   // Each cell alike, or each part of the element alike, whichever asks for less.
   const double density = densities_.size_of_w(element);
@@ -313,7 +358,9 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
                                   0.3 * allowance.product / (number * area * density));
   const double by_area =
       std::min(0.2 * allowance.norm / std::sqrt(rho * all), 0.2 * allowance.product / (all * density));
-  const double tolerance = std::min(1e-3, std::max(by_cell, by_area) / size);
+  const double of_largest =
+      0.3 * allowance.largest / (rho * interpolation_norm(cell.nodes_s) * interpolation_norm(cell.nodes_t));
+  const double tolerance = std::min({1e-3, std::max(by_cell, by_area) / size, of_largest / size});
   const std::optional<std::size_t> without =
       cell.closing ? std::optional<std::size_t>(cell.closing->face) : std::nullopt;
   const View view = sight_.view(observers.triangle, box, cell.least_mass);
@@ -342,7 +389,10 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
     const Element& beyond = certificate_.elements[cell.closing->element];
     std::vector<BoundedDouble> mirrored;
     for (const BoundedDouble& s : at_s) mirrored.push_back(BoundedDouble(1) - s);
-    const LegendreTable p_xi(densities_.degree(), within(beyond.s0, beyond.s1, mirrored));
+    const std::vector<BoundedDouble> places = cell.closing->at
+                                                  ? std::vector<BoundedDouble>(at_s.size(), *cell.closing->at)
+                                                  : within(beyond.s0, beyond.s1, mirrored);
+    const LegendreTable p_xi(densities_.degree(), places);
     const LegendreTable p_edge(densities_.degree(), std::vector<BoundedDouble>{BoundedDouble(-1)});
     xi_off = densities_.error(cell.closing->element, p_xi, p_edge);
     for (const double x : cell.closing->edge_sizes) xi_size += x;
@@ -363,6 +413,8 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
   std::vector<double> terms(count);
   std::vector<double> products(count);
   std::vector<BoundedDouble> kernels(count);  // 0 for function 0, and of means
+  std::vector<double> firsts;                 // t_0, of a function alone
+  double firsts_off = 0;
   for (std::size_t i = 0; i < at_s.size(); ++i) {
     if (cell.closing)
       Densities::values(densities_.w(cell.closing->element), stride, &edge_s[i * powers], edge_t.data(),
@@ -389,6 +441,10 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
         return found[k] + (has_xi ? xi[k] * rest : 0) + shifts[k] + (kernels[k].value() - q[k]);
       };
       const double first = t(0);
+      if (certificate_.of_function()) {
+        firsts.push_back(first);
+        firsts_off = std::max(firsts_off, radius);
+      }
       for (std::size_t k = 0; k < count; ++k) {
         if (densities_.vanishes(k)) continue;
         const double of_kernel = kernels[k].error() + 4 * unit * std::abs(kernels[k].value());
@@ -403,6 +459,10 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
         terms[k] += weight * std::abs(w[k] * first);
       }
     }
+  }
+  if (certificate_.of_function()) {
+    const double found = cell_supremum(firsts, firsts_off, cell.nodes_s, cell.nodes_t);
+    sums.largest = std::max(sums.largest, rho * (found + cell.largest_left) * upward);
   }
   // Of a sum of as many terms.
   const double order = (static_cast<double>(at_s.size() * at_t.size()) + 16) * unit;
@@ -433,6 +493,7 @@ ResidualBounds ElementCheck::bounds(std::size_t element, const Allowance& allowa
     const double room = allowance.norm_room.empty() ? 1 : allowance.norm_room[k];
     sums.doubts[k] = 3 * found.norms[k] + allowance.norm * room;
   }
+  if (densities_.vanishes(0)) sums.largest = 0;
   // The order in which cells are summed.
   const double order = (static_cast<double>(found.cells.size()) + 16) * unit * most;
   for (double& radius : sums.radii) radius = (radius + order) * of_sums * upward;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -20,18 +21,23 @@ namespace radcert::certificate {
 extern const WorkLimit most_checked_cells;
 
 /// What is proved of the residuals on one element, in the scaled units of Scene and Densities.
-/// Maths     (Int_X rho t_k^2)^(1/2) <= norms[k];  |products[k] - Int_X w_(1+k) t_0| <= radii[k]
+/// Maths     (Int_X rho t_k^2)^(1/2) <= norms[k];  |products[k] - Int_X w_(1+k) t_0| <= radii[k];
+///           sup_X rho |t_0| <= largest
 struct ResidualBounds {
   std::vector<double> norms;
   std::vector<double> products;
   std::vector<double> radii;
   std::vector<double> doubts;  ///< about how much norms may be too large
+  double largest = 0;          ///< of a function alone
 };
 
-/// What is wanted of them: what rules leave may be about this much, of a norm and of a product.
+/// What is wanted of them: what rules leave may be about this much, of a norm, a product, a largest value.
 struct Allowance {
-  double norm = 0;
-  double product = 0;
+  double norm = std::numeric_limits<double>::infinity();
+  double product = std::numeric_limits<double>::infinity();
+  double largest = std::numeric_limits<double>::infinity();
+  double claim =
+      std::numeric_limits<double>::infinity();  ///< of a largest value: where less is sure, is no work
   /// How many times that shade may leave, by function and by product; 1 where there are none.
   std::vector<double> norm_room = {};
   std::vector<double> product_room = {};
@@ -50,6 +56,8 @@ struct Allowance {
 ///           not looked into adds |X|^(1/2) sup|t| and |X| sup|w| sup|t|, |t| <= sup|w| + sup|q| by T 1 = 1.
 ///           Norms of cells are joined by Minkowski's inequality. Of values f = T w_k + j_k, with what
 ///           polynomials leave of j_k (PointKernels) in e_s and e_t, its values at nodes and sup|j_k|.
+///           Largest values: |If - q| by cell_supremum, and with L_n = interpolation_norm(n) |f - If| <= |f -
+///           I_s f| + |I_s (f - I_t f)| <= (1 + L_s) e_s + L_s (1 + L_t) e_t
 ///           Where parts hide each other f is the F of Shade, of what all of the cell sees (Sight); |T w_k -
 ///           f| <= d_k adds |X|^(1/2) d_k and |X| sup|w_k| d_0
 /// Source    ours; theorem I of the layer continuous says the same, of which no line is used here

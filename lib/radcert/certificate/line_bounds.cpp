@@ -229,6 +229,27 @@ std::optional<std::size_t> LineBounds::element_beyond(std::size_t element, doubl
   return std::nullopt;
 }
 
+double LineBounds::lipschitz(std::size_t element) const {
+  const Element& y = certificate_.elements[element];
+  if (!(y.t1 < 1)) return infinity;
+  const SideTriangle& own = triangle(element);
+  const Densities::Slopes slopes = densities_.slopes(element);
+  const double leg = (norm(own.inward) + slack) / own.height;
+  const double length = own.length / upward;
+  const double along = ((1 + leg) / length + 1 / own.height) / (1 - y.t1);
+  return (slopes.in_x * 2 / (y.s1 - y.s0) * along + slopes.in_y * 2 / (y.t1 - y.t0) / own.height) * upward;
+}
+
+/// l R + l Int_0^(d-R) M dq + 2 sup|w| M(d-R) for the observers of a box.
+double LineBounds::sent(std::size_t element, const Box& box, std::size_t face, double lipschitz, double reach,
+                        double distance) const {
+  const double rings = 2 * box.t1 * high(scene_.heights(triangle_[element], face).inward) * upward;
+  if (!(distance > 4 * reach && rings > 0)) return infinity;
+  const double way = distance - reach;
+  const double masses = std::min(way, rings * (1 + std::max(0.0, std::log(way / rings)) * upward));
+  return (lipschitz * (reach + masses) + 2 * face_size_[face] * rings / way) * upward;
+}
+
 double LineBounds::beside(std::size_t element, const Box& box, std::size_t beyond, double half) const {
   const SideTriangle& own = triangle(element);
   const SideTriangle& other = triangle(beyond);
@@ -244,17 +265,73 @@ double LineBounds::beside(std::size_t element, const Box& box, std::size_t beyon
       box.t1 * std::max(norm(own.inward - box.s0 * own.along), norm(own.inward - box.s1 * own.along)) *
           upward +
       slack;
-  const double rings = 2 * box.t1 * high(scene_.heights(triangle_[element], other.face).inward) * upward;
-  if (!(d > 4 * reach && rings > 0)) return infinity;
-  const Densities::Slopes slopes = densities_.slopes(beyond);
-  const double leg = (norm(other.inward) + slack) / other.height;
-  const double length = other.length / upward;
-  const double along = ((1 + leg) / length + 1 / other.height) / (1 - y.t1);
-  const double lipschitz =
-      (slopes.in_x * 2 / (y.s1 - y.s0) * along + slopes.in_y * 2 / (y.t1 - y.t0) / other.height) * upward;
-  const double way = d - reach;
-  const double masses = std::min(way, rings * (1 + std::max(0.0, std::log(way / rings)) * upward));
-  return (lipschitz * (reach + masses) + 2 * face_size_[other.face] * rings / way) * upward;
+  return sent(element, box, other.face, lipschitz(beyond), reach, d);
+}
+
+std::optional<double> LineBounds::nearest_end(std::size_t element, const Box& box) const {
+  const std::optional<std::size_t> beyond = triangle(element).beyond;
+  if (!beyond) return std::nullopt;
+  std::optional<double> nearest;
+  for (const std::size_t y : of_face_[scene_.triangles()[*beyond].face]) {
+    const Element& other = certificate_.elements[y];
+    if (triangle_[y] != *beyond || other.t0 != 0) continue;
+    // As a parameter of this side: exact, for parameters have 40 bits.
+    for (const double s : {1 - other.s0, 1 - other.s1})
+      if (s > 0 && s < 1 && (!nearest || std::abs(s - box.middle_s()) < std::abs(*nearest - box.middle_s())))
+        nearest = s;
+  }
+  return nearest;
+}
+
+std::optional<EdgeClosing> LineBounds::closing_at_end(std::size_t element, const Box& box) const {
+  const std::optional<double> end = box.t0 == 0 ? nearest_end(element, box) : std::nullopt;
+  if (!end) return std::nullopt;
+  const SideTriangle& own = triangle(element);
+  const std::size_t beyond = *own.beyond;
+  const std::size_t face = scene_.triangles()[beyond].face;
+  const Vector<double> x = own.point(*end, 0);
+  const double s = 1 - *end;
+  const LegendreTable on_edge(densities_.degree(), std::vector<BoundedDouble>{BoundedDouble(-1)});
+  EdgeClosing closing{.face = face, .edge_sizes = {}};
+  std::vector<double> xi;
+  std::vector<double> w(densities_.stride());
+  double xi_off = 0;
+  double slope = 0;
+  double distance = infinity;
+  for (const std::size_t y : of_face_[face]) {
+    const Element& other = certificate_.elements[y];
+    if (triangle_[y] != beyond || other.t0 != 0 || !(other.s0 <= s && s <= other.s1)) {
+      distance = std::min(distance, quadrilaterals_[y].distance(x));
+      continue;
+    }
+    const BoundedDouble place = (BoundedDouble::exactly(s) - BoundedDouble::exactly(other.s0) +
+                                 (BoundedDouble::exactly(s) - BoundedDouble::exactly(other.s1))) /
+                                (BoundedDouble::exactly(other.s1) - BoundedDouble::exactly(other.s0));
+    const LegendreTable along(densities_.degree(), std::vector<BoundedDouble>{place});
+    const double off = densities_.error(y, along, on_edge);
+    Densities::values(densities_.w(y), densities_.stride(), along.values.data(), on_edge.values.data(),
+                      densities_.powers(), w);
+    slope = std::max(slope, lipschitz(y));
+    if (xi.empty()) {
+      xi = w;
+      xi_off = off;
+      closing.element = y;
+      closing.at = place;
+      continue;
+    }
+    for (std::size_t k = 0; k < densities_.count(); ++k)
+      closing.jump = std::max(closing.jump, (std::abs(w[k] - xi[k]) + off + xi_off) * upward);
+  }
+  if (xi.empty()) return std::nullopt;
+  double size = 0;
+  for (std::size_t k = 0; k < densities_.count(); ++k) size = std::max(size, std::abs(xi[k]));
+  closing.edge_sizes = {(size + xi_off) * upward};
+  double reach = 0;
+  for (const double at : {box.s0, box.s1})
+    for (const double t : {box.t0, box.t1}) reach = std::max(reach, norm(own.point(at, t) - x));
+  closing.beside =
+      (closing.jump + sent(element, box, face, slope, reach * upward + slack, distance - slack)) * upward;
+  return closing;
 }
 
 std::optional<EdgeClosing> LineBounds::closing(std::size_t element, const Box& box) const {

@@ -43,12 +43,17 @@ struct BoxLines {
 ///           the distance d of x from the other sides of Y |w - xi| <= l |Q-x| <= l (R + |Q-P|), l a
 ///           Lipschitz constant on Y. Hence
 ///             |T_j (w - xi)| <= l R + l Int_0^(d-R) M dq + 2 sup|w| M(d-R)
+///           Beside an end x of Y that other elements of the edge have as well, xi = w on Y at x alone, |P-x|
+///           <= R, and |w - xi| <= J + l |Q-x| on each element that x belongs to, J the largest jump of w at x
+///           and d the distance of all others, so that J is added
 struct EdgeClosing {
   std::size_t face = 0;     ///< Q_j
   std::size_t element = 0;  ///< Y
   std::vector<double> edge_sizes;
-  double part = 1;    ///< the box' half length relative to that of Y
-  double beside = 0;  ///< the bound of |T_j (w - xi)|
+  double part = 1;                                 ///< the box' half length relative to that of Y
+  double beside = 0;                               ///< the bound of |T_j (w - xi)|
+  double jump = 0;                                 ///< J: what is left of it in the smallest box
+  std::optional<BoundedDouble> at = std::nullopt;  ///< where on Y xi is constant: x in [-1,1]
 };
 
 /// How smooth T w is along the lines of a box of observers.
@@ -97,6 +102,11 @@ public:
   [[nodiscard]] std::optional<EdgeClosing> closing(std::size_t element, const Box& box) const;
   /// The same for the middle of the box' edge alone: what a short box there would have.
   [[nodiscard]] double short_beside(std::size_t element, const Box& box) const;
+  /// The closing of a box that touches its edge at the end of an element beyond that is nearest to it, where
+  /// there is one inside the edge.
+  [[nodiscard]] std::optional<EdgeClosing> closing_at_end(std::size_t element, const Box& box) const;
+  /// Where on the edge of an element that end is.
+  [[nodiscard]] std::optional<double> nearest_end(std::size_t element, const Box& box) const;
 
   [[nodiscard]] const SideTriangle& triangle(std::size_t element) const {
     return scene_.triangles()[triangle_[element]];
@@ -109,6 +119,10 @@ private:
   [[nodiscard]] EllipseBounds bounds(std::size_t element, const Box& box, bool in_s, std::size_t face,
                                      std::span<const SourcePart> parts, const EllipseBounds& xi) const;
   [[nodiscard]] double beside(std::size_t element, const Box& box, std::size_t beyond, double half) const;
+  [[nodiscard]] double lipschitz(std::size_t element) const;
+  /// The mass that an observer's face gets from elements in the plane of Q_j, by distance.
+  [[nodiscard]] double sent(std::size_t element, const Box& box, std::size_t face, double lipschitz,
+                            double reach, double distance) const;
   [[nodiscard]] std::optional<std::size_t> element_beyond(std::size_t element, double s0, double s1) const;
   [[nodiscard]] double slide_reach(std::size_t triangle, std::size_t face, std::span<const SourcePart> parts,
                                    const Vector<double>& c) const;

@@ -43,11 +43,13 @@ struct Point {
 
 /// What is claimed of the residuals on one element X.
 /// Maths     norms[k] >= (Int_X rho t_k^2)^(1/2), k = 0, ..., n;  |products[k] - Int_X w_(1+k) t_0| <=
-///           radii[k], k = 0, ..., n - 1, n the number of goals
+///           radii[k], k = 0, ..., n - 1, n the number of goals. Of a function: largest >= sup_X rho |t_0|,
+///           and nothing else
 struct Claim {
-  std::vector<double> norms;
-  std::vector<double> products;
-  std::vector<double> radii;
+  std::vector<double> norms = {};
+  std::vector<double> products = {};
+  std::vector<double> radii = {};
+  double largest = 0;
 };
 
 /// The sums over all elements: norms, and of the products midpoint and radius.
@@ -57,30 +59,46 @@ struct Sums {
   std::vector<double> radii;
 };
 
-/// What encloses the means of the solution of a radiosity equation, or its values, to be checked again.
+/// |u - w_0| <= sup at points that are `outside` or more from every corner of a face.
+struct BoundAtDistance {
+  Rational outside;
+  Rational sup;
+};
+
+/// Of a certificate.
+inline constexpr std::size_t most_distances = 400;
+
+/// What encloses the means of the solution of a radiosity equation, its values or itself, to be checked again.
 /// Maths     u = E + rho T u, T u(P) = (1/pi) Int V(P,Q) G(P,Q) u(Q) dS_Q, G 0 behind either face, V = 1
 ///           where the open segment from P to Q meets no face, else 0. q_0, ..., q_n are polynomials on
 ///           elements: q_k = sum c_ij P_i(x) P_j(y), x = (2s - s0 - s1)/(s1 - s0), y alike, P_i Legendre's.
 ///           w_0 = E + rho q_0, t_0 = T w_0 - q_0. Goals are J_k(u) = Int j_k u. Of means: j_k = 1 on piece
 ///           k, else 0; w_k = rho (j_k + q_k), t_k = T w_k - q_k. Of values, where V = 1, u(P_k) = E + rho
 ///           J_k(u) at P_k: j_k = G(P_k,.)/pi; w_k = rho q_k, t_k = T w_k + j_k - q_k. In both |J_k(u) -
-///           J_k(w_0) - Int w_k t_0| <= (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - max rho)
+///           J_k(w_0) - Int w_k t_0| <= (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - max rho). Of the
+///           function w_0 itself, where V = 1: no goals, q_0 alone, and function_fault
 /// Source    lib/radcert/certificate/check.h
 /// Result    plain data; nothing here is known to be true
 struct PolyhedronCertificate {
   std::vector<std::string> pieces;
   std::vector<Face> faces;
-  std::vector<Point> points;  ///< of values; none: of means
+  std::vector<Point> points;  ///< of values alone
+  /// Of the function alone: distances descending, down to 0.
+  std::vector<BoundAtDistance> by_distance = {};
+  Rational outside = 0;  ///< of the function: the width is twice the bound at this distance
   std::vector<Element> elements;
   int degree = 0;
   std::vector<double> coefficients;  ///< by function, element, i, j
   std::vector<Claim> claims;         ///< by element
   Sums sums;
   std::vector<Enclosure> enclosures;  ///< by piece; or the values by point
-  Rational width;                     ///< twice the largest radius of them, or more
+  Rational width;                     ///< twice the largest radius of them or the bound, or more
 
   [[nodiscard]] bool of_values() const { return !points.empty(); }
-  [[nodiscard]] std::size_t goals() const { return of_values() ? points.size() : pieces.size(); }
+  [[nodiscard]] bool of_function() const { return !by_distance.empty(); }
+  [[nodiscard]] std::size_t goals() const {
+    return of_function() ? 0 : of_values() ? points.size() : pieces.size();
+  }
   [[nodiscard]] std::size_t functions() const { return goals() + 1; }
   [[nodiscard]] std::size_t powers() const { return static_cast<std::size_t>(degree) + 1; }
   [[nodiscard]] double coefficient(std::size_t k, std::size_t element, std::size_t i, std::size_t j) const {

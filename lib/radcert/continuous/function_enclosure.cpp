@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "radcert/continuous/elements/element_interpolation.h"
+#include "radcert/continuous/elements/gauss_tables.h"
 #include "radcert/continuous/observer_cells.h"
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/scaled_problem.h"
@@ -72,14 +74,17 @@ public:
   }
   /// On a part of an element.
   [[nodiscard]] double on(std::size_t element, const SectorBox& box) const {
-    double residual = 0;
+    const double nearest = disks_.distance_at_least(trial_.sector(element), box);
+    return (residual(element, box) + beyond_[shell(nearest)]) * upward;
+  }
+  [[nodiscard]] double residual(std::size_t element, const SectorBox& box) const {
+    double most = 0;
     for (std::size_t k = first_[element]; k < first_[element + 1]; ++k) {
       const SectorBox& b = parts_[k].box;
       if (b.s0 < box.s1 && box.s0 < b.s1 && b.t0 < box.t1 && box.t0 < b.t1)
-        residual = std::max(residual, parts_[k].residual);
+        most = std::max(most, parts_[k].residual);
     }
-    const double nearest = disks_.distance_at_least(trial_.sector(element), box);
-    return (residual + beyond_[shell(nearest)]) * upward;
+    return most;
   }
   [[nodiscard]] const std::vector<double>& radii() const { return radii_; }
 
@@ -124,6 +129,18 @@ double value(const SectorFunctions& w, std::size_t element, double x, double y) 
   return sum;
 }
 
+/// The function on a part of an element, as a function of the part.
+void put_restriction(const SectorFunctions& f, std::size_t element, const SectorBox& whole,
+                     const SectorBox& part, std::size_t number, SectorFunctions& out) {
+  const PartOfInterval in_s = part_in_s(part, whole);
+  const PartOfInterval in_t = part_in_t(part, whole);
+  const std::vector<double>& nodes = gauss_on_interval(f.degree() + 1).nodes;
+  std::vector<double> values;
+  for (const double x : nodes)
+    for (const double y : nodes) values.push_back(value(f, element, in_s.place(x), in_t.place(y)));
+  ElementInterpolation(f.degree() + 1).coefficients(values, 1, out.of(number, 0));
+}
+
 /// What cells may miss: less where the residual is small. Next to a vertex they need not be looked into.
 class DemandOutside final : public LargestDemand {
 public:
@@ -142,11 +159,12 @@ private:
 
 class FunctionSearch {
 public:
-  FunctionSearch(const ScaledProblem& data, double wanted, double outside)
+  FunctionSearch(const ScaledProblem& data, double wanted, double outside, bool with_proof)
       : data_(data),
         disks_(data.scene),
         radius_(std::min(0.5 * std::ldexp(wanted, -data.exponent), largest_radius)),
-        outside_(outside) {
+        outside_(outside),
+        with_proof_(with_proof) {
     best_.sup = infinity;
   }
 
@@ -222,7 +240,9 @@ private:
                         .box = cells[c].box,
                         .residual = residual(trial, cells[c].element, largest[c])});
     const ErrorByDistance error(trial, disks_, std::move(proved), data_.gap);
-    take(trial, error);
+    std::shared_ptr<const FunctionProof> proof;
+    if (with_proof_) proof = std::make_shared<FunctionProof>(proof_of(trial, error));
+    take(trial, error, std::move(proof));
     std::size_t samples = 0;
     for (const ObserverCell& cell : cells) samples += static_cast<std::size_t>(cell.nodes_s * cell.nodes_t);
     best_.last = {.layers = layers,
@@ -235,7 +255,7 @@ private:
     return true;
   }
 
-  void take(const Trial& trial, const ErrorByDistance& error) {
+  void take(const Trial& trial, const ErrorByDistance& error, std::shared_ptr<const FunctionProof> proof) {
     const auto scaled = [&](double x) { return std::ldexp(x, data_.exponent); };
     const double everywhere = error.sup(0);
     const double outside = everywhere <= radius_ ? 0 : outside_;
@@ -243,6 +263,7 @@ private:
     if (!(sup < best_.sup)) return;
     best_.sup = sup;
     best_.outside = outside;
+    best_.proof = std::move(proof);
     best_.by_distance.clear();
     for (const double radius : error.radii())
       best_.by_distance.push_back({radius, scaled(error.sup(radius))});
@@ -254,6 +275,46 @@ private:
     for (std::size_t piece = 0; piece < pieces; ++piece)
       best_.pieces.push_back(
           {scaled(error.sup_on_piece(outside, piece)), scaled(error.sup_on_piece(0, piece))});
+  }
+
+  [[nodiscard]] FunctionProof proof_of(const Trial& trial, const ErrorByDistance& error) const {
+    FunctionProof proof{.elements = {},
+                        .q = SectorFunctions(0, 1, trial.q.degree()),
+                        .exponent = data_.exponent,
+                        .radii = error.radii()};
+    const double least = error.radii().empty() ? disks_.largest_radius() : error.radii().back();
+    std::vector<std::size_t> whole;
+    for (std::size_t e = 0; e < trial.elements.size(); ++e)
+      for (const SectorBox& box : cut_towards_vertex(trial.sector(e), trial.elements[e].box, least)) {
+        proof.elements.push_back({.sector = trial.elements[e].sector, .box = box});
+        proof.residuals.push_back(error.residual(e, box));
+        proof.farthest.push_back(disks_.distance_at_most(trial.sector(e), box));
+        whole.push_back(e);
+      }
+    proof.q = SectorFunctions(whole.size(), 1, trial.q.degree());
+    for (std::size_t part = 0; part < whole.size(); ++part)
+      put_restriction(trial.q, whole[part], trial.elements[whole[part]].box, proof.elements[part].box, part,
+                      proof.q);
+    return proof;
+  }
+
+  /// A box, or where it is at a vertex its parts: half as large from one to the next.
+  [[nodiscard]] std::vector<SectorBox> cut_towards_vertex(const Sector& sector, SectorBox box,
+                                                          double least) const {
+    std::vector<SectorBox> out;
+    const bool at_start = box.s0 == 0;
+    constexpr double narrowest = 0x1p-36;  // certificates have parameters with 40 bits
+    while (box.t0 == 0 && (at_start || box.s1 == 1) && box.s1 - box.s0 > narrowest && box.t1 > narrowest &&
+           disks_.distance_at_most(sector, box) > least) {
+      SectorBox beside = box;
+      (at_start ? box.s1 : box.s0) = (at_start ? beside.s0 : beside.s1) = box.middle_s();
+      SectorBox above = box;
+      above.t0 = box.t1 = box.middle_t();
+      out.push_back(beside);
+      out.push_back(above);
+    }
+    out.push_back(box);
+    return out;
   }
 
   /// v and its bound on each element in 4 x 4.
@@ -297,18 +358,19 @@ private:
   VertexDisks disks_;
   double radius_;
   double outside_;
+  bool with_proof_;
   FunctionEnclosure best_;
 };
 
 }  // namespace
 
 FunctionEnclosure enclose_function(const PolyhedronProblem& problem, double wanted, double outside,
-                                   const SearchContext& context) {
+                                   const SearchContext& context, bool with_proof) {
   expects(wanted > 0 && std::isfinite(wanted), "0 < wanted < infinity", named("wanted", wanted));
   expects(outside >= 0, "0 <= outside", named("outside", outside));
   expects(problem.further_emissions.empty(), "one emission");
   const ScaledProblem data(problem);
-  return FunctionSearch(data, wanted, outside)(context);
+  return FunctionSearch(data, wanted, outside, with_proof)(context);
 }
 
 }  // namespace radcert

@@ -3,9 +3,12 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "radcert/continuous/elements/graded_elements.h"
+#include "radcert/continuous/elements/tensor_legendre.h"
 #include "radcert/continuous/enclosure_search.h"
 #include "radcert/continuous/polyhedron_problem.h"
 #include "radcert/geometry/vector.h"
@@ -18,6 +21,18 @@ struct EnclosedPart {
   std::array<Vector<double>, 4> corners;  ///< in their order about the part
   std::array<double, 4> values{};         ///< v there
   double bound = 0;                       ///< of |u - v| on the part; of a value above within rounding
+};
+
+/// What a FunctionEnclosure is proved from, in the units of ScaledProblem.
+/// Result    elements at vertices are cut towards them, down to the smallest distance; q on the parts is within
+///           rounding that on the whole, and E + rho q a v as good as the other
+struct FunctionProof {
+  std::vector<SectorElement> elements;
+  SectorFunctions q;  ///< v = E + rho q
+  int exponent = 0;
+  std::vector<double> residuals = {};  ///< by element: sup |u - v - K(u - v)|
+  std::vector<double> farthest = {};   ///< by element: a point's largest distance from its nearest vertex
+  std::vector<double> radii = {};      ///< the distances by which the residuals were sorted, descending
 };
 
 /// A piecewise polynomial v near the solution u, and how near.
@@ -37,6 +52,7 @@ struct FunctionEnclosure {
   std::vector<EnclosedPart> parts;  ///< each element in 4 x 4
   EnclosureProgress last;
   std::string hindrance = {};  ///< where twice the sup is not the wanted width: what stood in the way
+  std::shared_ptr<const FunctionProof> proof = nullptr;  ///< where it is asked for
 };
 
 /// Encloses u as a function.
@@ -49,6 +65,7 @@ struct FunctionEnclosure {
 ///           least `outside`; 0 there where that holds everywhere. The same bits for any number of threads
 /// Limits    edges whose two sides have not the same ends are as bad as vertices, and are not spared
 [[nodiscard]] FunctionEnclosure enclose_function(const PolyhedronProblem& problem, double wanted,
-                                                 double outside, const SearchContext& context = {});
+                                                 double outside, const SearchContext& context = {},
+                                                 bool with_proof = false);
 
 }  // namespace radcert

@@ -20,6 +20,7 @@
 namespace radcert {
 namespace {
 
+using certificate::BoundAtDistance;
 using certificate::Claim;
 using certificate::Element;
 using certificate::EllipsoidCertificate;
@@ -51,6 +52,34 @@ JsonValue element_json(const Element& x) {
   return JsonValue::array({x.face, x.side, x.s0, x.s1, x.t0, x.t1});
 }
 
+/// What is enclosed, and the name of the list of it.
+const char* kind_of(const PolyhedronCertificate& c) {
+  return c.of_function() ? "function" : c.of_values() ? "values" : "means";
+}
+
+JsonValue function_json(const PolyhedronCertificate& c) {
+  return JsonValue::object(
+      {{"outside", c.outside.to_text()},
+       {"by_distance", json_array(c.by_distance, [](const BoundAtDistance& bound) {
+          return JsonValue::object({{"outside", bound.outside.to_text()}, {"sup", double_text(bound.sup)}});
+        })}});
+}
+
+JsonValue enclosures_json(const PolyhedronCertificate& c) {
+  JsonValue out = JsonValue::array();
+  for (std::size_t k = 0; k < c.enclosures.size(); ++k) {
+    JsonValue enclosure = JsonValue::object();
+    if (c.of_values())
+      enclosure.set("at", point_json(c.points[k].at));
+    else
+      enclosure.set("piece", c.pieces[k]);
+    enclosure.set("midpoint", double_text(c.enclosures[k].midpoint));
+    enclosure.set("radius", double_text(c.enclosures[k].radius));
+    out.push(std::move(enclosure));
+  }
+  return out;
+}
+
 JsonValue claim_json(const Claim& claim) {
   return JsonValue::object({{"norms", json_array(claim.norms)},
                             {"products", json_array(claim.products)},
@@ -59,7 +88,7 @@ JsonValue claim_json(const Claim& claim) {
 
 JsonValue content_json(const PolyhedronCertificate& c, const std::string& command) {
   JsonValue out = document_head("certificate", command);
-  out.set("of", c.of_values() ? "values" : "means");
+  out.set("of", kind_of(c));
   JsonValue problem = JsonValue::object(
       {{"pieces", json_array(c.pieces)},
        {"faces", json_array(c.faces, [&](const Face& face) { return face_json(face, c); })}});
@@ -75,20 +104,15 @@ JsonValue content_json(const PolyhedronCertificate& c, const std::string& comman
   for (std::size_t k = 0; k < c.functions(); ++k)
     coefficients.push(bits_text({c.coefficients.data() + k * size, size}));
   out.set("coefficients", std::move(coefficients));
-  out.set("claims", json_array(c.claims, claim_json));
-  out.set("sums", claim_json({c.sums.norms, c.sums.products, c.sums.radii}));
-  JsonValue enclosures = JsonValue::array();
-  for (std::size_t k = 0; k < c.enclosures.size(); ++k) {
-    JsonValue enclosure = JsonValue::object();
-    if (c.of_values())
-      enclosure.set("at", point_json(c.points[k].at));
-    else
-      enclosure.set("piece", c.pieces[k]);
-    enclosure.set("midpoint", double_text(c.enclosures[k].midpoint));
-    enclosure.set("radius", double_text(c.enclosures[k].radius));
-    enclosures.push(std::move(enclosure));
+  if (c.of_function()) {
+    out.set("claims", json_array(c.claims, [](const Claim& claim) {
+              return JsonValue::object({{"largest", claim.largest}});
+            }));
+  } else {
+    out.set("claims", json_array(c.claims, claim_json));
+    out.set("sums", claim_json({c.sums.norms, c.sums.products, c.sums.radii}));
   }
-  out.set(c.of_values() ? "values" : "means", std::move(enclosures));
+  out.set(kind_of(c), c.of_function() ? function_json(c) : enclosures_json(c));
   out.set("width", double_text(c.width));
   return out;
 }
@@ -170,6 +194,31 @@ Element read_element(const JsonReader& reader, const std::vector<Face>& faces) {
   return out;
 }
 
+Claim read_largest(const JsonReader& reader) {
+  reader.require_object({"largest"});
+  const JsonReader largest = reader.at("largest", "a number");
+  Claim claim{.largest = number_from(largest)};
+  if (!(claim.largest >= 0)) largest.refuse("is negative", "0 or more");
+  return claim;
+}
+
+void read_function(const JsonReader& reader, PolyhedronCertificate& c) {
+  reader.require_object({"outside", "by_distance"});
+  c.outside = exact_number(reader.at("outside", "an exact number"));
+  const JsonReader list = reader.at("by_distance", "a list of bounds");
+  for (const JsonReader& bound : list.elements("a list of bounds")) {
+    bound.require_object({"outside", "sup"});
+    const JsonReader outside = bound.at("outside", "an exact number");
+    const JsonReader sup = bound.at("sup", "a decimal");
+    c.by_distance.push_back({exact_number(outside), sup.rational("a decimal")});
+    if (c.by_distance.back().outside.sign() < 0) outside.refuse("is negative", "0 or more");
+    if (c.by_distance.back().sup.sign() < 0) sup.refuse("is negative", "0 or more");
+  }
+  if (c.by_distance.empty() || c.by_distance.size() > certificate::most_distances)
+    list.refuse("has " + std::to_string(c.by_distance.size()) + " bounds",
+                "from 1 to " + std::to_string(certificate::most_distances));
+}
+
 Claim read_claim(const JsonReader& reader, std::size_t goals) {
   reader.require_object({"norms", "products", "radii"});
   return {numbers(reader.at("norms", "a list of numbers"), goals + 1, false),
@@ -179,11 +228,14 @@ Claim read_claim(const JsonReader& reader, std::size_t goals) {
 
 PolyhedronCertificate read_polyhedron_content(const JsonReader& reader) {
   PolyhedronCertificate c;
-  const bool of_values =
-      reader.at("of", "what is enclosed").word(std::vector<std::string>{"means", "values"}) == "values";
-  const std::string list = of_values ? "values" : "means";
-  reader.require_object({"schema", "radcert", "command", "of", "problem", "elements", "degree",
-                         "coefficients", "claims", "sums", list, "width", "digest"});
+  const std::string& list =
+      reader.at("of", "what is enclosed").word(std::vector<std::string>{"means", "values", "function"});
+  const bool of_values = list == "values";
+  const bool of_function = list == "function";
+  std::vector<std::string> members{"schema", "radcert",      "command", "of", "problem", "elements",
+                                   "degree", "coefficients", "claims",  list, "width",   "digest"};
+  if (!of_function) members.emplace_back("sums");
+  reader.require_object(members);
   const JsonReader problem = reader.at("problem", "pieces and faces");
   if (of_values)
     problem.require_object({"pieces", "faces", "points"});
@@ -210,6 +262,7 @@ PolyhedronCertificate read_polyhedron_content(const JsonReader& reader) {
     }
     if (c.points.empty()) points.refuse("has no point", "one point or more");
   }
+  if (of_function) read_function(reader.at("function", "bounds by the distance"), c);
   const JsonReader elements = reader.at("elements", "a list of elements");
   for (const JsonReader& element : elements.elements("a list of elements"))
     c.elements.push_back(read_element(element, c.faces));
@@ -230,9 +283,11 @@ PolyhedronCertificate read_polyhedron_content(const JsonReader& reader) {
     read_bits(function, c.elements.size() * c.powers() * c.powers(), c.coefficients);
   const JsonReader claims = reader.at("claims", "a claim for each element");
   for (const JsonReader& claim : claims.elements("a claim for each element"))
-    c.claims.push_back(read_claim(claim, c.goals()));
+    c.claims.push_back(of_function ? read_largest(claim) : read_claim(claim, c.goals()));
   if (c.claims.size() != c.elements.size())
     claims.refuse("has " + std::to_string(c.claims.size()) + " claims", "one for each element");
+  c.width = reader.at("width", "a decimal").rational("a decimal");
+  if (of_function) return c;
   Claim sums = read_claim(reader.at("sums", "norms, products and radii"), c.goals());
   c.sums = {std::move(sums.norms), std::move(sums.products), std::move(sums.radii)};
   const std::string each = of_values ? "an enclosure for each point" : "an enclosure for each piece";
@@ -252,7 +307,6 @@ PolyhedronCertificate read_polyhedron_content(const JsonReader& reader) {
     }
     c.enclosures.push_back(read_enclosure(enclosures[k]));
   }
-  c.width = reader.at("width", "a decimal").rational("a decimal");
   return c;
 }
 

@@ -63,12 +63,10 @@ std::unique_ptr<EnclosedProblem> certified_problem(const Problem& problem, const
   if (hindrances.empty()) return enclosed;
   std::string all;
   for (const std::string& hindrance : hindrances) all += (all.empty() ? "" : "; ") + hindrance;
-  throw InputError({.source = "--certificate",
-                    .problem = "is not made here: " + all,
-                    .allowed =
-                        "one emission; means or values on a convex polyhedron, the emission a polynomial "
-                        "of degree 8 or less on each piece; anything on a "
-                        "sphere or an ellipsoid"});
+  throw InputError(
+      {.source = "--certificate",
+       .problem = "is not made here: " + all,
+       .allowed = "one emission, on a polyhedron a polynomial of degree 8 or less on each piece"});
 }
 
 }  // namespace

@@ -375,6 +375,12 @@ double distance_from_vertices(const Guarantee& guarantee, const PolyhedronProble
   return 0.01 * shortest;
 }
 
+/// The number that a distance by distance_from_vertices is meant to be.
+Rational short_decimal(double distance) {
+  constexpr int digits = 6;
+  return Rational::parse(nearest_text(distance, DecimalForm::general(digits))).value();
+}
+
 Ball between(const Rational& least, const Rational& most) {
   if (least == most) return Ball(most);
   const Ball half = Ball(most - least) / 2;
@@ -398,20 +404,21 @@ public:
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> solve(
       const GuaranteeContext& context) const override {
-    return guarantee_.of == EnclosedQuantity::function ? function(wanted(), told(context))
-                                                       : numbers(wanted(), told(context));
+    if (guarantee_.of == EnclosedQuantity::function)
+      return function_result(enclose_function(near_.polyhedron, wanted(), outside_, told(context)));
+    return numbers(wanted(), told(context));
   }
 
   /// A certificate is of an emission by polynomials.
   [[nodiscard]] std::vector<std::string> certificate_hindrances() const override {
     std::vector<std::string> out;
-    if (guarantee_.of == EnclosedQuantity::function) out.emplace_back("a function is asked for");
     if (near_.distance != 0) out.emplace_back("an emission is no polynomial of degree 8 or less");
     return out;
   }
   [[nodiscard]] CertifiedSolution certified(const GuaranteeContext& context) const override {
-    const bool of_values = guarantee_.of == EnclosedQuantity::values;
     const double aim = certified_share * wanted();
+    if (guarantee_.of == EnclosedQuantity::function) return certified_function(aim, told(context));
+    const bool of_values = guarantee_.of == EnclosedQuantity::values;
     const GoalEnclosure found = of_values
                                     ? enclose_values(near_.polyhedron, points_, aim, told(context), true)
                                     : enclose_means(near_.polyhedron, aim, told(context), true);
@@ -521,13 +528,25 @@ private:
     return {std::move(level), std::move(enclosure)};
   }
 
-  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> function(double wanted,
-                                                                   const SearchContext& context) const {
+  [[nodiscard]] CertifiedSolution certified_function(double wanted, const SearchContext& context) const {
+    const FunctionEnclosure found = enclose_function(near_.polyhedron, wanted, outside_, context, true);
+    auto [level, enclosure] = function_result(found);
+    certificate::PolyhedronCertificate certificate =
+        polyhedron_certificate(near_.polyhedron, certified_names(), *found.proof, guarantee_.width,
+                               guarantee_.outside.value_or(short_decimal(outside_)));
+    const Rational width = certificate.width;
+    CertifiedSolution out{
+        .level = std::move(level), .enclosure = std::move(enclosure), .certificate = std::move(certificate)};
+    say_width_of_certificate(width, guarantee_, out.enclosure);
+    return out;
+  }
+
+  [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> function_result(
+      const FunctionEnclosure& found) const {
     const std::vector<std::string> names = surface_.piece_names();
-    FunctionEnclosure found = enclose_function(near_.polyhedron, wanted, outside_, context);
     if (!std::isfinite(found.sup)) throw AccuracyNotReached("the solution u", found.hindrance);
     SolutionEnclosure enclosure{
-        .wanted = guarantee_, .width = 2 * widened(found.sup), .hindrance = std::move(found.hindrance)};
+        .wanted = guarantee_, .width = 2 * widened(found.sup), .hindrance = found.hindrance};
     FunctionBound bound{.sup = widened(found.sup), .outside = found.outside};
     for (const FunctionEnclosure::AtDistance& at : found.by_distance)
       bound.by_distance.push_back({at.outside, widened(at.sup)});

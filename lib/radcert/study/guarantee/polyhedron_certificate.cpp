@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "radcert/certificate/check.h"
+#include "radcert/certificate/function_facts.h"
 #include "radcert/scalar/enclosing_text.h"
 
 namespace radcert {
@@ -118,12 +120,19 @@ private:
   std::vector<double> floors_;
 };
 
-void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, PolyhedronCertificate& out) {
-  const std::vector<Side> sides = sides_of(problem);
-  std::vector<char> reflects;
+Rational largest_reflectivity(const PolyhedronProblem& problem) {
   Rational sup = 0;
   for (const PanelReflectivity& rho : problem.reflectivity) sup = std::max(sup, rho.largest);
-  for (const SectorElement& element : proof.elements) {
+  return sup;
+}
+
+/// The elements of a search.
+/// Result    whether each reflects
+std::vector<char> put_elements(const PolyhedronProblem& problem, const std::vector<SectorElement>& elements,
+                               PolyhedronCertificate& out) {
+  const std::vector<Side> sides = sides_of(problem);
+  std::vector<char> reflects;
+  for (const SectorElement& element : elements) {
     const Side& side = sides[element.sector];
     out.elements.push_back({.face = side.face,
                             .side = side.side,
@@ -133,13 +142,37 @@ void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, Polyhed
                             .t1 = element.box.t1});
     reflects.push_back(problem.reflectivity[side.face].largest.sign() > 0 ? 1 : 0);
   }
+  return reflects;
+}
+
+/// Function k of a search, in its units.
+void put_function(const SectorFunctions& q, std::size_t k, int exponent, PolyhedronCertificate& out) {
+  for (std::size_t e = 0; e < out.elements.size(); ++e)
+    for (const double c : q.of(e, k)) out.coefficients.push_back(std::ldexp(c, exponent));
+}
+
+void put_proof(const PolyhedronProblem& problem, const GoalProof& proof, PolyhedronCertificate& out) {
+  const std::vector<char> reflects = put_elements(problem, proof.elements, out);
   out.degree = proof.q.degree();
   for (std::size_t k = 0; k < out.functions(); ++k)
-    for (std::size_t e = 0; e < proof.elements.size(); ++e)
-      for (const double c : proof.q.of(e, k))
-        out.coefficients.push_back(std::ldexp(c, k == 0 ? proof.exponent : proof.exponents[k - 1]));
-  const WiderClaims claims(proof, reflects, (Rational(1) - sup).to_double());
+    put_function(proof.q, k, k == 0 ? proof.exponent : proof.exponents[k - 1], out);
+  const WiderClaims claims(proof, reflects, (Rational(1) - largest_reflectivity(problem)).to_double());
   for (std::size_t e = 0; e < proof.elements.size(); ++e) out.claims.push_back(claims.on(e));
+}
+
+/// The largest residual of all elements that are as far from the vertices, by element.
+std::vector<double> largest_beyond(const FunctionProof& proof) {
+  std::vector<std::size_t> order(proof.elements.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return proof.farthest[a] > proof.farthest[b]; });
+  std::vector<double> out(order.size());
+  double largest = 0;
+  for (const std::size_t e : order) {
+    largest = std::max(largest, proof.residuals[e]);
+    out[e] = largest;
+  }
+  return out;
 }
 
 /// Nothing reflects that the numbers depend on: u = E there, and no residual has to be small.
@@ -176,6 +209,44 @@ PolyhedronCertificate polyhedron_certificate(const PolyhedronProblem& problem,
     radius = std::max(radius, mean.radius.to_double());
   // Wider than the rounding of both to decimals.
   out.width = Rational::exactly(2 * radius * (1 + 0x1p-40));
+  return out;
+}
+
+PolyhedronCertificate polyhedron_certificate(const PolyhedronProblem& problem,
+                                             const std::vector<std::string>& pieces,
+                                             const FunctionProof& proof, const Rational& wanted,
+                                             const Rational& outside) {
+  PolyhedronCertificate out;
+  out.pieces = pieces;
+  out.faces = faces_of(problem);
+  const std::vector<char> reflects = put_elements(problem, proof.elements, out);
+  out.degree = proof.q.degree();
+  put_function(proof.q, 0, proof.exponent, out);
+  const double gap = (Rational(1) - largest_reflectivity(problem)).to_double();
+  const double floor = 0.05 * 0.5 * wanted.to_double() * gap;
+  const std::vector<double> largest = largest_beyond(proof);
+  for (std::size_t e = 0; e < proof.elements.size(); ++e)
+    out.claims.push_back({.largest = reflects[e] != 0
+                                         ? short_bound(std::ldexp(1.2 * largest[e], proof.exponent) + floor)
+                                         : 0});
+  constexpr int digits = 4;
+  std::vector<Rational> distances{0, outside};
+  for (const double radius : proof.radii)
+    distances.push_back(Rational::parse(nearest_text(radius, DecimalForm::general(digits))).value());
+  std::sort(distances.begin(), distances.end(), [](const Rational& a, const Rational& b) { return b < a; });
+  distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
+  for (const Rational& distance : distances) out.by_distance.push_back({.outside = distance, .sup = 0});
+  const std::vector<Rational> bounds = certificate::bounds_by_distance(out);
+  for (std::size_t m = 0; m < bounds.size(); ++m) {
+    out.by_distance[m].sup = bounds[m];
+    if (out.by_distance[m].outside == outside) out.width = Rational(2) * bounds[m];
+  }
+  out.outside = outside;
+  const Rational everywhere = Rational(2) * bounds.back();
+  if (everywhere <= wanted) {
+    out.outside = 0;
+    out.width = everywhere;
+  }
   return out;
 }
 

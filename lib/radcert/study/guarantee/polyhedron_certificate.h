@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "radcert/certificate/polyhedron_certificate.h"
+#include "radcert/continuous/function_enclosure.h"
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/continuous/polyhedron_problem.h"
+#include "radcert/scalar/rational.h"
 
 namespace radcert {
 
@@ -22,5 +24,16 @@ namespace radcert {
 [[nodiscard]] certificate::PolyhedronCertificate polyhedron_certificate(
     const PolyhedronProblem& problem, const std::vector<std::string>& pieces, const GoalProof* proof,
     const std::vector<SolutionPoint>& points = {});
+
+/// What encloses the solution itself, as something that can be checked again.
+/// Maths     claims of residuals are the largest of all elements that are as far from the vertices, wider by a
+///           fifth and a twentieth of what the width has room for: bounds follow from those anyhow, and a
+///           checker need not look closer. Bounds at the search's distances and at `outside`, by
+///           certificate::bounds_by_distance
+/// Requires  a proof of enclose_function of this problem; 0 <= outside
+/// Result    `outside` is 0 there where the bound everywhere is within half the wanted width
+[[nodiscard]] certificate::PolyhedronCertificate polyhedron_certificate(
+    const PolyhedronProblem& problem, const std::vector<std::string>& pieces, const FunctionProof& proof,
+    const Rational& wanted, const Rational& outside);
 
 }  // namespace radcert
