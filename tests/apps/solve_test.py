@@ -209,8 +209,7 @@ class Solve(ProgramTest):
         values["values"][0]["at"] = ["1/3", "1/3", "1/3"]
         self.write("changed.json", values)
         self.expect(2, "check", "changed.json")
-        for words in [["--guarantee", "1/5", "--of", "function"], []]:
-            self.expect(2, "solve", "furnace.json", *words, "--certificate", "d.json")
+        self.expect(2, "solve", "furnace.json", "--certificate", "d.json")
         # Each condition that stands in the way.
         self.write("bent.json", {**furnace, "emission": "exp(x)"})
         done = self.run_program("solve", "bent.json", "--guarantee", "1/5", "--emission-by", "piece",
@@ -220,6 +219,26 @@ class Solve(ProgramTest):
         for words in ["further emissions", "no polynomial"]:
             self.assertIn(words, message)
         self.assertFalse(os.path.exists(self.path("d.json")))
+
+    def test_a_function_on_a_polyhedron_has_a_certificate(self):
+        self.write("furnace.json",
+                   {"schema": "radcert/problem/1", "surface": {"name": "tetrahedron"}, "triangulation": {"levels": [0]},
+                    "basis": {"family": "inset", "degree": 0}, "reflectivity": "1/4", "emission": "3/4"})
+        self.expect(0, "solve", "furnace.json", "--guarantee", "1", "--of", "function", "--outside", "1/7",
+                    "--certificate", "f.json")
+        with open(self.path("f.json"), encoding="utf-8") as file:
+            certificate = json.load(file)
+        jsonschema.validate(certificate, json.loads(self.expect(0, "schema", "certificate")))
+        self.assertEqual(certificate["of"], "function")
+        self.assertLessEqual(float(certificate["width"]), 1)
+        bounds = certificate["function"]["by_distance"]
+        self.assertEqual(bounds[-1]["outside"], "0")
+        self.assertIn(certificate["function"]["outside"], [bound["outside"] for bound in bounds])
+        self.assertIn("of the function", self.expect(0, "check", "f.json", "--part", "3"))
+        del certificate["digest"]
+        certificate["sums"] = {"norms": [0], "products": [], "radii": []}
+        self.write("changed.json", certificate)
+        self.expect(2, "check", "changed.json")
 
     def test_pointers_escape_the_names_of_emissions(self):
         self.write("named.json", {"schema": "radcert/problem/1", "surface": {"name": "cube"},

@@ -8,13 +8,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "radcert/certificate/certificate.h"
 #include "radcert/certificate/check.h"
+#include "radcert/certificate/function_facts.h"
 #include "radcert/core/text.h"
 #include "tests/attack/attack.h"
+#include "tests/certificate/closed_form_transport.h"
 #include "tests/certificate/ellipsoid_samples.h"
 #include "tests/certificate/samples.h"
 #include "tests/continuous/skew_map.h"
@@ -248,6 +251,97 @@ TEST(CertificateAttack, FalseClaimsOfValuesAreRefused) {
                                                  .make = drawn_value,
                                                  .judge = judge_value,
                                                  .text = text_of_value});
+  EXPECT_LE(count.refused, std::max<std::size_t>(1, count.instances / 3));
+}
+
+/// A function that is a constant on each element, near the ones of a furnace, as a certificate with one claim
+/// that may be false.
+/// Maths     E = 1 - rho, q_0 = 1 - d_e on the element e: w_0 = 1 - rho d_e, |u - w_0| = rho d_e, and T w_0 by
+///           closed forms at points. Claims are so many times the largest residual that was found; at vertices,
+///           where none is known, |t_0| <= sup|w_0| + sup|q_0|
+struct FunctionInstance {
+  Instance scene;
+  std::uint64_t seed = 0;
+};
+
+std::string text_of_function(const FunctionInstance& x) {
+  return text(x.scene) + ", seed " + std::to_string(x.seed);
+}
+
+FunctionInstance drawn_function(Draw& draw) {
+  FunctionInstance x{.scene = drawn_of(draw, 4)};
+  x.scene.map = SkewMap::drawn(draw, 60, 80, 30);
+  x.scene.size = 1;
+  x.scene.norm = draw.below(2) == 0 ? 1.6 : 1 - std::pow(10.0, -3 + 2 * draw.unit());
+  x.seed = draw.below(1000);
+  return x;
+}
+
+Judgement judge_function(const FunctionInstance& x) {
+  PolyhedronCertificate c = test::bare_certificate(x.scene.surface, x.scene.layers, 0, 1);
+  const Rational rho = hundredths(x.scene.reflectivity);
+  for (certificate::Face& face : c.faces) {
+    face.reflectivity = rho;
+    face.emission = {{Rational(1) - rho}};
+    for (Vector<Rational>& p : face.corners) p = x.scene.map(p);
+  }
+  Draw draw(x.seed);
+  std::vector<double> d;
+  for (std::size_t e = 0; e < c.elements.size(); ++e) d.push_back(x.scene.d * (1 + 0.2 * draw.unit()));
+  c.coefficients.clear();
+  for (const double own : d) c.coefficients.push_back(1 - own);
+  c.by_distance = {{1, 0}, {Rational(1, 2), 0}, {Rational(1, 4), 0}, {Rational(1, 8), 0}, {0, 0}};
+  const auto at_vertex = [](const certificate::Element& y) { return y.t0 == 0 && (y.s0 == 0 || y.s1 == 1); };
+  // The largest residual of a few points of each element.
+  const std::size_t chosen = x.scene.element % c.elements.size();
+  std::size_t element = chosen;
+  while (at_vertex(c.elements[element])) element = (element + 1) % c.elements.size();
+  const auto residual = [&](std::size_t e, double s, double t) {
+    const certificate::Element& y = c.elements[e];
+    const Rational at_s = Rational::exactly(y.s0 + (y.s1 - y.s0) * s);
+    const Rational at_t = Rational::exactly(y.t0 + (y.t1 - y.t0) * t);
+    const Ball sent =
+        certificate::test::sent(c, 0, y.face, certificate::test::point_of(c, y.face, y.side, at_s, at_t));
+    return rho.to_double() * std::abs(sent.to_double() - (1 - d[e]));
+  };
+  double largest = 0;
+  for (int k = 0; k < 12; ++k) largest = std::max(largest, residual(element, draw.unit(), draw.unit()));
+  const double generous = 3 * rho.to_double() * x.scene.d;
+  for (const certificate::Element& y : c.elements)
+    c.claims.push_back({.largest = at_vertex(y) ? 2.5 : generous});
+  c.claims[element].largest = x.scene.norm * largest;
+  const std::vector<Rational> bounds = certificate::bounds_by_distance(c);
+  for (std::size_t m = 0; m < bounds.size(); ++m) c.by_distance[m].sup = bounds[m];
+  c.width = Rational(2) * bounds.back();
+  const certificate::Report report = certificate::check(c, part_with(element, c.elements.size()));
+  if (x.scene.norm < 1 - 1e-9)
+    return report.refusal ? Judgement::held(1) : Judgement::violated("a false claim is verified");
+  // What is verified of the function itself, where the other claims hold as well.
+  for (std::size_t e = 0; e < c.elements.size(); ++e) {
+    if (at_vertex(c.elements[e]) || residual(e, 0.5, 0.5) <= c.claims[e].largest) continue;
+    return Judgement::refused();
+  }
+  const certificate::Element& y = c.elements[element];
+  for (int k = 0; k < 20; ++k) {
+    const Vector<Rational> at =
+        certificate::test::point_of(c, y.face, y.side, Rational::exactly(y.s0 + (y.s1 - y.s0) * draw.unit()),
+                                    Rational::exactly(y.t0 + (y.t1 - y.t0) * draw.unit()));
+    Rational nearest = 100;
+    for (const certificate::Face& face : c.faces)
+      for (const Vector<Rational>& p : face.corners) nearest = std::min(nearest, dot(at - p, at - p));
+    for (const certificate::BoundAtDistance& bound : c.by_distance)
+      if (nearest >= bound.outside * bound.outside && rho * Rational::exactly(d[element]) > bound.sup)
+        return Judgement::violated("u lies further from the function than is verified");
+  }
+  return report.refusal ? Judgement::refused() : Judgement::held(2);
+}
+
+TEST(CertificateAttack, FalseClaimsOfFunctionsAreRefused) {
+  const Count count = hold(Attack<FunctionInstance>{.name = "claims of certificates of functions",
+                                                    .usual_instances = 6,
+                                                    .make = drawn_function,
+                                                    .judge = judge_function,
+                                                    .text = text_of_function});
   EXPECT_LE(count.refused, std::max<std::size_t>(1, count.instances / 3));
 }
 

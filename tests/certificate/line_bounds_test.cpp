@@ -227,7 +227,37 @@ TEST(LineBounds, HoldForInterpolantsOnLines) {
   EXPECT_GT(closest, 0.001);
 }
 
-/// |T_j (w - xi)| against the bound of the closing, at points up to the edge.
+/// |T_j (w - xi)| against the bound of a closing, at a point of the box.
+struct Held {
+  double off = 0;  ///< the largest of all k
+  double radius = 0;
+};
+Held held(const Bench& bench, std::size_t e, const EdgeClosing& closing, double s, double t) {
+  const Observers one{.triangle = bench.lines.triangle_place(e),
+                      .s = {BoundedDouble::exactly(s)},
+                      .t = {BoundedDouble::exactly(t)}};
+  const BallTransport::Values all = bench.transport(one, 1e-8, std::nullopt);
+  const BallTransport::Values rest = bench.transport(one, 1e-8, closing.face);
+  const Element& y = bench.c.elements[closing.element];
+  const double place = closing.at ? closing.at->value() : (2 * (1 - s) - y.s0 - y.s1) / (y.s1 - y.s0);
+  const std::vector<double> p = legendre((bench.densities.degree()), place);
+  Held out;
+  for (std::size_t k = 0; k < bench.densities.count(); ++k) {
+    double xi = 0;
+    for (std::size_t i = 0; i < bench.densities.powers(); ++i)
+      for (std::size_t j = 0; j < bench.densities.powers(); ++j)
+        xi += bench.densities.w(
+                  closing.element)[(i * bench.densities.powers() + j) * bench.densities.stride() + k] *
+              p[i] * (j % 2 == 0 ? 1 : -1);
+    const double beyond = all.values[k] - rest.values[k];
+    const double one_beyond = 1 - rest.values[bench.densities.constant()];
+    out.off = std::max(out.off, std::abs(beyond - xi * one_beyond));
+    out.radius = std::max(out.radius, all.radii[0] + (1 + std::abs(xi)) * rest.radii[0]);
+  }
+  return out;
+}
+
+/// At points up to the edge.
 TEST(LineBounds, ClosingsHold) {
   double closest = 0;
   int tried = 0;
@@ -247,32 +277,49 @@ TEST(LineBounds, ClosingsHold) {
       ++tried;
       const double s = from + width * draw();
       const double t = box.t1 * (0.05 + 0.95 * draw());
-      const Observers one{.triangle = bench.lines.triangle_place(e),
-                          .s = {BoundedDouble::exactly(s)},
-                          .t = {BoundedDouble::exactly(t)}};
-      const BallTransport::Values all = bench.transport(one, 1e-8, std::nullopt);
-      const BallTransport::Values rest = bench.transport(one, 1e-8, closing->face);
-      const Element& y = bench.c.elements[closing->element];
-      const std::vector<double> p =
-          legendre((bench.densities.degree()), (2 * (1 - s) - y.s0 - y.s1) / (y.s1 - y.s0));
-      for (std::size_t k = 0; k < bench.densities.count(); ++k) {
-        double xi = 0;
-        for (std::size_t i = 0; i < bench.densities.powers(); ++i)
-          for (std::size_t j = 0; j < bench.densities.powers(); ++j)
-            xi += bench.densities.w(
-                      closing->element)[(i * bench.densities.powers() + j) * bench.densities.stride() + k] *
-                  p[i] * (j % 2 == 0 ? 1 : -1);
-        const double beyond = all.values[k] - rest.values[k];
-        const double one_beyond = 1 - rest.values[bench.densities.constant()];
-        const double off = std::abs(beyond - xi * one_beyond);
-        const double radius = all.radii[0] + (1 + std::abs(xi)) * rest.radii[0];
-        EXPECT_LE(off - radius, closing->beside) << name << " " << e << " " << s << " " << t;
-        if (off > 10 * radius) closest = std::max(closest, off / closing->beside);
-      }
+      const Held found = held(bench, e, *closing, s, t);
+      EXPECT_LE(found.off - found.radius, closing->beside) << name << " " << e << " " << s << " " << t;
+      if (found.off > 10 * found.radius) closest = std::max(closest, found.off / closing->beside);
     }
   }
   EXPECT_GT(tried, 50);
   EXPECT_GT(closest, 0.02);
+}
+
+/// Beside ends of the elements beyond, where w jumps from one to the next.
+TEST(LineBounds, ClosingsAtEndsHold) {
+  double closest = 0;
+  int tried = 0;
+  for (const std::string name : {"cube", "tetrahedron", "octahedron"}) {
+    const Bench bench(bare_certificate(name, 3, 2, 15));
+    Draw draw(16);
+    for (int n = 0; n < 600; ++n) {
+      const std::size_t e = draw.below(bench.c.elements.size());
+      const Element& x = bench.c.elements[e];
+      if (x.t0 > 0) continue;
+      // Parameters of certificates have 40 bits.
+      const double width = (x.s1 - x.s0) * std::exp2(-2 - static_cast<double>(draw.below(12)));
+      const bool at_start = draw() < 0.5;
+      const double from = at_start ? x.s0 : x.s1 - width;
+      const double end = at_start ? x.s0 : x.s1;
+      if (end == 0 || end == 1) continue;
+      const Box box{.s0 = from, .s1 = from + width, .t0 = 0, .t1 = std::exp2(-3 - 14 * draw())};
+      EXPECT_EQ(bench.lines.nearest_end(e, box), end);
+      const std::optional<EdgeClosing> closing = bench.lines.closing_at_end(e, box);
+      ASSERT_TRUE(closing);
+      EXPECT_GE(closing->beside, closing->jump);
+      if (!(closing->beside < 3)) continue;
+      ++tried;
+      // On both sides of what bounds the box, and far along it.
+      const double s = from + width * (draw() < 0.3 ? (at_start ? 1e-3 : 0.999) : draw());
+      const double t = box.t1 * (0.05 + 0.95 * draw());
+      const Held found = held(bench, e, *closing, s, t);
+      EXPECT_LE(found.off - found.radius, closing->beside) << name << " " << e << " " << s << " " << t;
+      if (found.off > 10 * found.radius) closest = std::max(closest, found.off / closing->beside);
+    }
+  }
+  EXPECT_GT(tried, 100);
+  EXPECT_GT(closest, 0.2);
 }
 
 }  // namespace

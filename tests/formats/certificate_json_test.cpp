@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
 #include <string>
+#include <utility>
 
 #include "radcert/core/errors.h"
 
@@ -66,6 +66,35 @@ TEST(CertificateJson, IsOfValuesWhereItHasPoints) {
   ASSERT_NE(place, std::string::npos);
   other.replace(place, 5, "\"2/5\"");
   EXPECT_THROW(static_cast<void>(read_certificate(other, "file")), InputError);
+}
+
+TEST(CertificateJson, IsOfAFunctionWhereItHasBoundsByDistance) {
+  certificate::PolyhedronCertificate c = sample();
+  c.coefficients.resize(8);
+  c.claims = {{.largest = 1e-3}, {.largest = 0.1}};
+  c.sums = {};
+  c.enclosures.clear();
+  c.by_distance = {{Rational(1, 3), Rational::exactly(0.125)}, {0, Rational(7)}};
+  c.outside = Rational(1, 3);
+  const std::string text = certificate_text(c, "a command");
+  EXPECT_NE(text.find("\"of\": \"function\""), std::string::npos) << text;
+  EXPECT_EQ(text.find("sums"), std::string::npos);
+  const ReadCertificate read = read_certificate(text, "file");
+  EXPECT_TRUE(read.digest_holds);
+  EXPECT_EQ(certificate_text(read.certificate, "a command"), text);
+  const auto& back = std::get<certificate::PolyhedronCertificate>(read.certificate);
+  EXPECT_EQ(back.by_distance[0].outside, Rational(1, 3));
+  EXPECT_EQ(back.by_distance[1].sup, Rational(7));
+  EXPECT_EQ(back.claims[1].largest, 0.1);
+  EXPECT_EQ(function_bound(read.certificate)->sup, Rational(3, 2));
+  for (const auto& [from, to] :
+       {std::pair("\"sup\": \"7", "\"sup\": \"-7"), std::pair("\"largest\": 0.1", "\"largest\": -1"),
+        std::pair("{\"outside\": \"1/3\", \"sup\"", "{\"outside\": \"-1/3\", \"sup\"")}) {
+    std::string changed = text;
+    ASSERT_NE(changed.find(from), std::string::npos) << from;
+    changed.replace(changed.find(from), std::string(from).size(), to);
+    EXPECT_THROW(static_cast<void>(read_certificate(changed, "file")), InputError) << to;
+  }
 }
 
 TEST(CertificateJson, LeavesOutDigitsThatAreZeroInAllNumbersOfAFunction) {

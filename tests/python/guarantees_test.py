@@ -91,6 +91,15 @@ class Guarantees(ModuleTest):
             midpoint, radius = point["value"]
             self.assertLessEqual(abs(midpoint - 1), radius)
 
+    def test_polyhedra_have_certificates_of_functions(self):
+        face = rc.Problem(rc.tetrahedron(), reflectivity="3/10", emission="7/10", levels=[0])
+        path = self.folder / "function.json"
+        face.guarantee(1, of="function", outside="1/7", certificate=True).certificate_to(path)
+        check = rc.check_certificate(path, 2)
+        self.assertTrue(check.verified)
+        self.assertLessEqual(2 * check.function, 1)
+        self.assertIn(check.outside, (0, Fraction(1, 7)))
+
     def test_ellipsoids_have_certificates_of_functions(self):
         room = rc.Problem(rc.ellipsoid(1, "6/5", "3/2"), reflectivity="1/2 + x/8", emission="1/2 - x/8", levels=[0])
         path = self.folder / "function.json"
@@ -99,6 +108,7 @@ class Guarantees(ModuleTest):
         self.assertTrue(check.verified)
         self.assertEqual(check.elements, check.looked_at)
         self.assertLessEqual(2 * check.function, 1e-4)
+        self.assertEqual(check.outside, 0)
         room.guarantee("1e-4", certificate=True).certificate_to(path)
         check = rc.check_certificate(path, 5)
         self.assertTrue(check.verified)

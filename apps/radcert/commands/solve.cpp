@@ -503,10 +503,7 @@ void add_solve(Program& program) {
       "chosen by radcert",
       "WIDTH");
   command.option("--certificate", options->certificate,
-                 "Write what encloses the means or values on a convex polyhedron, or anything on an "
-                 "ellipsoid, as a file "
-                 "that radcert check verifies",
-                 "FILE.json");
+                 "Write what proves the enclosure as a file that radcert check verifies", "FILE.json");
   command.option("--of", options->of, "What the guarantee is of: " + listed(guaranteed_quantities()), "WORD");
   command.option("--outside", options->outside,
                  "Of a function on a polyhedron: how far from the vertices the width is wanted. Default: a "

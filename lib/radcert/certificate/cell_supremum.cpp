@@ -62,6 +62,12 @@ const LagrangeGrid& grid_of(int n) {
 
 }  // namespace
 
+double interpolation_norm(int n) {
+  expects(n >= 1 && n <= most_cell_nodes, "1 <= n <= most_cell_nodes", named("n", n));
+  const LagrangeGrid& grid = grid_of(n);
+  return (grid.largest_sum + n * grid.error) / grid.cosine * upward;
+}
+
 double cell_supremum(std::span<const double> values, double radius, int nodes_s, int nodes_t) {
   expects(nodes_s >= 1 && nodes_s <= most_cell_nodes, "1 <= n_s <= most_cell_nodes", named("n_s", nodes_s));
   expects(nodes_t >= 1 && nodes_t <= most_cell_nodes, "1 <= n_t <= most_cell_nodes", named("n_t", nodes_t));

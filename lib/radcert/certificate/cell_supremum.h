@@ -22,8 +22,9 @@ inline constexpr int most_cell_nodes = 16;
 [[nodiscard]] double cell_supremum(std::span<const double> values, double radius, int nodes_s, int nodes_t);
 
 /// A bound of the norm of interpolation at n Gauss nodes, from sup to sup.
-/// Maths     (sum |l_i(x)|)^2 <= sum l_i(x)^2/w_i sum w_i, and sum l_i(x)^2/w_i = sum_(k<n) (k+1/2) P_k(x)^2
-///           <= n^2/2, for l_i/w_i^(1/2) are orthonormal as P_k (k+1/2)^(1/2) are: n
-[[nodiscard]] constexpr double interpolation_norm(int n) { return n; }
+/// Maths     sum |l_i(x)| is at each x one of the polynomials sum +-l_i, of degree n - 1: at most the largest
+///           one at the same zeros / cos((n-1) pi/(2N))
+/// Requires  1 <= n <= most_cell_nodes, else ContractViolation
+[[nodiscard]] double interpolation_norm(int n);
 
 }  // namespace radcert::certificate

@@ -203,8 +203,9 @@ std::optional<Refusal> element_fault(const PolyhedronCertificate& c, const Scene
   }
   // The last time the claim is not to be refused for what rules leave. Shade is a large part of a claim, and
   // half of it takes four times as many cells.
-  const std::vector<Share> shares = is_open ? std::vector<Share>{{0.07, 0.5}, {0.007, 0.05}}
-                                            : std::vector<Share>{{0.4, 0.7}, {0.2, 0.5}, {0.07, 0.3}};
+  std::vector<Share> shares = is_open ? std::vector<Share>{{0.07, 0.5}, {0.007, 0.05}}
+                                      : std::vector<Share>{{0.4, 0.7}, {0.2, 0.5}, {0.07, 0.3}};
+  if (c.of_function()) shares = {{0.15, 0}, {0.05, 0}, {0.015, 0}};
   for (const Share& share : shares) {
     const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), share);
     const ResidualBounds proved = elements.bounds(element, allowance);

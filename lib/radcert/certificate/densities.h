@@ -42,6 +42,8 @@ public:
   [[nodiscard]] std::size_t stride() const { return stride_; }
   /// What values by `values` may be off, for all functions.
   [[nodiscard]] double error(std::size_t element, const LegendreTable& s, const LegendreTable& t) const;
+  /// What the sum of the coefficients' sizes of any w_k on an element may be off.
+  [[nodiscard]] double coefficient_error(std::size_t element) const { return error_[element]; }
   /// f_k at the place of both tables: out[k], k = 0, ..., stride - 1.
   static void values(std::span<const double> f, std::size_t stride, const double* s, const double* t,
                      std::size_t powers, std::span<double> out);

@@ -204,7 +204,9 @@ private:
 
   void add(const Box& box, int depth) {
     const double residual = (residual_ + kernels_.size(lines_.triangle_place(element_), box)) * upward;
-    if (is_negligible(box, residual) || depth >= deepest ||
+    // At a vertex no smaller box has a smaller largest residual.
+    const bool is_at_vertex = is_of_function_ && box.t0 == 0 && (box.s0 == 0 || box.s1 == 1);
+    if (is_negligible(box, residual) || is_at_vertex || depth >= deepest ||
         plan_.cells.size() >= most_checked_cells.count()) {
       accept({.box = box, .norm_left = residual, .product_left = residual, .largest_left = residual});
       return;

@@ -89,7 +89,6 @@ LineBounds::LineBounds(const PolyhedronCertificate& certificate, const Scene& sc
       scene_(scene),
       densities_(densities),
       of_face_(scene.faces()),
-      face_size_(scene.faces()),
       slid_size_(scene.faces()) {
   for (std::size_t e = 0; e < certificate.elements.size(); ++e) {
     const Element& x = certificate.elements[e];
@@ -100,7 +99,14 @@ LineBounds::LineBounds(const PolyhedronCertificate& certificate, const Scene& sc
     quadrilaterals_.emplace_back(own, scene.normal(x.face), box);
     area_.push_back(own.jacobian * (x.s1 - x.s0) * (x.t1 - x.t0) * (1 - box.middle_t()) * upward);
     size_.push_back(densities.size_of_w(e));
-    face_size_[x.face] = std::max(face_size_[x.face], size_.back());
+    const std::span<const double> w = densities.w(e);
+    for (std::size_t k = 0; k < densities.count(); ++k) {
+      double sum = 0;
+      for (std::size_t i = densities.stride(); i < w.size(); i += densities.stride())
+        sum += std::abs(w[i + k]);
+      mean_.push_back(w[k]);
+      rest_.push_back((sum + densities.coefficient_error(e)) * upward);
+    }
     slid_size_[x.face] = std::max(slid_size_[x.face], densities.size(e, slid_growth, slid_growth));
   }
 }
@@ -240,14 +246,31 @@ double LineBounds::lipschitz(std::size_t element) const {
   return (slopes.in_x * 2 / (y.s1 - y.s0) * along + slopes.in_y * 2 / (y.t1 - y.t0) / own.height) * upward;
 }
 
-/// l R + l Int_0^(d-R) M dq + 2 sup|w| M(d-R) for the observers of a box.
+double LineBounds::oscillation(std::size_t element, std::span<const double> xi) const {
+  double most = 0;
+  for (std::size_t k = 0; k < densities_.count(); ++k) {
+    const std::size_t at = element * densities_.count() + k;
+    most = std::max(most, std::abs(mean_[at] - xi[k]) + rest_[at]);
+  }
+  return most * upward;
+}
+
 double LineBounds::sent(std::size_t element, const Box& box, std::size_t face, double lipschitz, double reach,
-                        double distance) const {
+                        double distance, std::vector<Oscillation> oscillations) const {
   const double rings = 2 * box.t1 * high(scene_.heights(triangle_[element], face).inward) * upward;
   if (!(distance > 4 * reach && rings > 0)) return infinity;
   const double way = distance - reach;
   const double masses = std::min(way, rings * (1 + std::max(0.0, std::log(way / rings)) * upward));
-  return (lipschitz * (reach + masses) + 2 * face_size_[face] * rings / way) * upward;
+  double sum = lipschitz * (reach + masses);
+  std::sort(oscillations.begin(), oscillations.end(),
+            [](const Oscillation& a, const Oscillation& b) { return a.distance < b.distance; });
+  double largest = 0;
+  for (const Oscillation& own : oscillations) {
+    if (!(own.size > largest)) continue;
+    sum += (own.size - largest) * std::min(1.0, rings / (std::max(own.distance, distance) - reach)) * upward;
+    largest = own.size;
+  }
+  return sum * upward;
 }
 
 double LineBounds::beside(std::size_t element, const Box& box, std::size_t beyond, double half) const {
@@ -265,7 +288,30 @@ double LineBounds::beside(std::size_t element, const Box& box, std::size_t beyon
       box.t1 * std::max(norm(own.inward - box.s0 * own.along), norm(own.inward - box.s1 * own.along)) *
           upward +
       slack;
-  return sent(element, box, other.face, lipschitz(beyond), reach, d);
+  const double slope = lipschitz(beyond);
+  const OnEdge at_middle = on_edge(beyond, 1 - box.middle_s());
+  // xi is not that of the middle on all of the box.
+  const double moved = slope * (half + slack) + at_middle.error;
+  std::vector<Oscillation> oscillations;
+  for (const std::size_t z : of_face_[other.face])
+    oscillations.push_back({z == beyond ? d : quadrilaterals_[z].distance(middle) - half - 2 * slack,
+                            oscillation(z, at_middle.w) + moved});
+  return sent(element, box, other.face, slope, reach, d, std::move(oscillations));
+}
+
+LineBounds::OnEdge LineBounds::on_edge(std::size_t element, double s) const {
+  const Element& y = certificate_.elements[element];
+  OnEdge out;
+  out.place = (BoundedDouble::exactly(s) - BoundedDouble::exactly(y.s0) +
+               (BoundedDouble::exactly(s) - BoundedDouble::exactly(y.s1))) /
+              (BoundedDouble::exactly(y.s1) - BoundedDouble::exactly(y.s0));
+  const LegendreTable along(densities_.degree(), std::vector<BoundedDouble>{out.place});
+  const LegendreTable across(densities_.degree(), std::vector<BoundedDouble>{BoundedDouble(-1)});
+  out.error = densities_.error(element, along, across);
+  out.w.resize(densities_.stride());
+  Densities::values(densities_.w(element), densities_.stride(), along.values.data(), across.values.data(),
+                    densities_.powers(), out.w);
+  return out;
 }
 
 std::optional<double> LineBounds::nearest_end(std::size_t element, const Box& box) const {
@@ -291,46 +337,46 @@ std::optional<EdgeClosing> LineBounds::closing_at_end(std::size_t element, const
   const std::size_t face = scene_.triangles()[beyond].face;
   const Vector<double> x = own.point(*end, 0);
   const double s = 1 - *end;
-  const LegendreTable on_edge(densities_.degree(), std::vector<BoundedDouble>{BoundedDouble(-1)});
   EdgeClosing closing{.face = face, .edge_sizes = {}};
-  std::vector<double> xi;
-  std::vector<double> w(densities_.stride());
-  double xi_off = 0;
+  OnEdge xi;
   double slope = 0;
   double distance = infinity;
+  std::vector<std::size_t> at_end;
   for (const std::size_t y : of_face_[face]) {
     const Element& other = certificate_.elements[y];
     if (triangle_[y] != beyond || other.t0 != 0 || !(other.s0 <= s && s <= other.s1)) {
-      distance = std::min(distance, quadrilaterals_[y].distance(x));
+      distance = std::min(distance, quadrilaterals_[y].distance(x) - slack);
       continue;
     }
-    const BoundedDouble place = (BoundedDouble::exactly(s) - BoundedDouble::exactly(other.s0) +
-                                 (BoundedDouble::exactly(s) - BoundedDouble::exactly(other.s1))) /
-                                (BoundedDouble::exactly(other.s1) - BoundedDouble::exactly(other.s0));
-    const LegendreTable along(densities_.degree(), std::vector<BoundedDouble>{place});
-    const double off = densities_.error(y, along, on_edge);
-    Densities::values(densities_.w(y), densities_.stride(), along.values.data(), on_edge.values.data(),
-                      densities_.powers(), w);
     slope = std::max(slope, lipschitz(y));
-    if (xi.empty()) {
-      xi = w;
-      xi_off = off;
+    OnEdge there = on_edge(y, s);
+    if (at_end.empty()) {
       closing.element = y;
-      closing.at = place;
-      continue;
+      closing.at = there.place;
+      xi = std::move(there);
+    } else {
+      for (std::size_t k = 0; k < densities_.count(); ++k)
+        closing.jump =
+            std::max(closing.jump, (std::abs(there.w[k] - xi.w[k]) + there.error + xi.error) * upward);
     }
-    for (std::size_t k = 0; k < densities_.count(); ++k)
-      closing.jump = std::max(closing.jump, (std::abs(w[k] - xi[k]) + off + xi_off) * upward);
+    at_end.push_back(y);
   }
-  if (xi.empty()) return std::nullopt;
+  if (at_end.empty()) return std::nullopt;
   double size = 0;
-  for (std::size_t k = 0; k < densities_.count(); ++k) size = std::max(size, std::abs(xi[k]));
-  closing.edge_sizes = {(size + xi_off) * upward};
+  for (std::size_t k = 0; k < densities_.count(); ++k) size = std::max(size, std::abs(xi.w[k]));
+  closing.edge_sizes = {(size + xi.error) * upward};
+  std::vector<Oscillation> oscillations;
+  for (const std::size_t z : of_face_[face]) {
+    const bool is_there = std::find(at_end.begin(), at_end.end(), z) != at_end.end();
+    oscillations.push_back(
+        {is_there ? distance : quadrilaterals_[z].distance(x) - slack, oscillation(z, xi.w) + xi.error});
+  }
   double reach = 0;
   for (const double at : {box.s0, box.s1})
     for (const double t : {box.t0, box.t1}) reach = std::max(reach, norm(own.point(at, t) - x));
-  closing.beside =
-      (closing.jump + sent(element, box, face, slope, reach * upward + slack, distance - slack)) * upward;
+  closing.beside = (closing.jump + sent(element, box, face, slope, reach * upward + slack, distance,
+                                        std::move(oscillations))) *
+                   upward;
   return closing;
 }
 

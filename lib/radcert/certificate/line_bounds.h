@@ -42,7 +42,8 @@ struct BoxLines {
 ///           r^3) at the distance r, so that what is further than q sends M(q) = min(1, 2H/q) at most; up to
 ///           the distance d of x from the other sides of Y |w - xi| <= l |Q-x| <= l (R + |Q-P|), l a
 ///           Lipschitz constant on Y. Hence
-///             |T_j (w - xi)| <= l R + l Int_0^(d-R) M dq + 2 sup|w| M(d-R)
+///             |T_j (w - xi)| <= l R + l Int_0^(d-R) M dq + sum (o_i - o_(i-1)) M(d_i - R), d_0 = d,
+///           o_i the largest |w - xi| on Y and on elements no further from x than d_i, ascending, o_(-1) = 0
 ///           Beside an end x of Y that other elements of the edge have as well, xi = w on Y at x alone, |P-x|
 ///           <= R, and |w - xi| <= J + l |Q-x| on each element that x belongs to, J the largest jump of w at x
 ///           and d the distance of all others, so that J is added
@@ -120,9 +121,23 @@ private:
                                      std::span<const SourcePart> parts, const EllipseBounds& xi) const;
   [[nodiscard]] double beside(std::size_t element, const Box& box, std::size_t beyond, double half) const;
   [[nodiscard]] double lipschitz(std::size_t element) const;
-  /// The mass that an observer's face gets from elements in the plane of Q_j, by distance.
+  /// w_k at a point of the edge of an element.
+  struct OnEdge {
+    BoundedDouble place;  ///< x in [-1,1]
+    std::vector<double> w;
+    double error = 0;  ///< of each
+  };
+  [[nodiscard]] OnEdge on_edge(std::size_t element, double s) const;
+  /// sup |w - xi| on an element and its distance from x, which is no less.
+  struct Oscillation {
+    double distance = 0;
+    double size = 0;
+  };
+  /// l R + l Int_0^(d-R) M dq + sum (o_i - o_(i-1)) M(d_i - R) for the observers of a box.
   [[nodiscard]] double sent(std::size_t element, const Box& box, std::size_t face, double lipschitz,
-                            double reach, double distance) const;
+                            double reach, double distance, std::vector<Oscillation> oscillations) const;
+  /// sup |w - xi| on an element for xi with these values.
+  [[nodiscard]] double oscillation(std::size_t element, std::span<const double> xi) const;
   [[nodiscard]] std::optional<std::size_t> element_beyond(std::size_t element, double s0, double s1) const;
   [[nodiscard]] double slide_reach(std::size_t triangle, std::size_t face, std::span<const SourcePart> parts,
                                    const Vector<double>& c) const;
@@ -136,8 +151,9 @@ private:
   std::vector<std::vector<std::size_t>> of_face_;  ///< elements
   std::vector<Quadrilateral> quadrilaterals_;
   std::vector<double> area_;
-  std::vector<double> size_;  ///< sup |w| of each element
-  std::vector<double> face_size_;
+  std::vector<double> size_;       ///< sup |w| of each element
+  std::vector<double> mean_;       ///< of each element, by k: c_00 of w_k
+  std::vector<double> rest_;       ///< and sum of the other |c_ij|
   std::vector<double> slid_size_;  ///< by face, where Q has moved
 };
 
