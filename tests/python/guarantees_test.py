@@ -2,6 +2,7 @@
 """Enclosures of solutions of the equation itself, and their certificates."""
 import json
 import unittest
+from fractions import Fraction
 
 import numpy as np
 import radcert as rc

@@ -41,12 +41,11 @@ struct BoxLines {
 ///           the parameter s of P. |P-x| <= R, P at most H over the plane of Q_j. The kernel is at most H/(pi
 ///           r^3) at the distance r, so that what is further than q sends M(q) = min(1, 2H/q) at most; up to
 ///           the distance d of x from the other sides of Y |w - xi| <= l |Q-x| <= l (R + |Q-P|), l a
-///           Lipschitz constant on Y. Hence
-///             |T_j (w - xi)| <= l R + l Int_0^(d-R) M dq + sum (o_i - o_(i-1)) M(d_i - R), d_0 = d,
-///           o_i the largest |w - xi| on Y and on elements no further from x than d_i, ascending, o_(-1) = 0
-///           Beside an end x of Y that other elements of the edge have as well, xi = w on Y at x alone, |P-x|
-///           <= R, and |w - xi| <= J + l |Q-x| on each element that x belongs to, J the largest jump of w at x
-///           and d the distance of all others, so that J is added
+///           Lipschitz constant on Y. Hence |T_j (w - xi)| <= l R + l Int_0^(d-R) M dq + sum (o_i - o_(i-1))
+///           M(d_i - R), d_0 = d, o_i the largest |w - xi| on Y and on elements no further from x than d_i,
+///           ascending, o_(-1) = 0 Beside an end x of Y that other elements of the edge have as well, xi = w
+///           on Y at x alone, |P-x| <= R, and |w - xi| <= J + l |Q-x| on each element that x belongs to, J
+///           the largest jump of w at x and d the distance of all others, so that J is added
 struct EdgeClosing {
   std::size_t face = 0;     ///< Q_j
   std::size_t element = 0;  ///< Y

@@ -68,7 +68,8 @@ struct BoundAtDistance {
 /// Of a certificate.
 inline constexpr std::size_t most_distances = 400;
 
-/// What encloses the means of the solution of a radiosity equation, its values or itself, to be checked again.
+/// What encloses the means of the solution of a radiosity equation, its values or itself, to be checked
+/// again.
 /// Maths     u = E + rho T u, T u(P) = (1/pi) Int V(P,Q) G(P,Q) u(Q) dS_Q, G 0 behind either face, V = 1
 ///           where the open segment from P to Q meets no face, else 0. q_0, ..., q_n are polynomials on
 ///           elements: q_k = sum c_ij P_i(x) P_j(y), x = (2s - s0 - s1)/(s1 - s0), y alike, P_i Legendre's.

@@ -24,8 +24,8 @@ struct EnclosedPart {
 };
 
 /// What a FunctionEnclosure is proved from, in the units of ScaledProblem.
-/// Result    elements at vertices are cut towards them, down to the smallest distance; q on the parts is within
-///           rounding that on the whole, and E + rho q a v as good as the other
+/// Result    elements at vertices are cut towards them, down to the smallest distance; q on the parts is
+///           within rounding that on the whole, and E + rho q a v as good as the other
 struct FunctionProof {
   std::vector<SectorElement> elements;
   SectorFunctions q;  ///< v = E + rho q

@@ -232,7 +232,7 @@ PolyhedronCertificate polyhedron_certificate(const PolyhedronProblem& problem,
   constexpr int digits = 4;
   std::vector<Rational> distances{0, outside};
   for (const double radius : proof.radii)
-    distances.push_back(Rational::parse(nearest_text(radius, DecimalForm::general(digits))).value());
+    distances.push_back(Rational::parse(upper_text(radius, DecimalForm::general(digits))).value());
   std::sort(distances.begin(), distances.end(), [](const Rational& a, const Rational& b) { return b < a; });
   distances.erase(std::unique(distances.begin(), distances.end()), distances.end());
   for (const Rational& distance : distances) out.by_distance.push_back({.outside = distance, .sup = 0});

@@ -26,8 +26,8 @@ namespace radcert {
     const std::vector<SolutionPoint>& points = {});
 
 /// What encloses the solution itself, as something that can be checked again.
-/// Maths     claims of residuals are the largest of all elements that are as far from the vertices, wider by a
-///           fifth and a twentieth of what the width has room for: bounds follow from those anyhow, and a
+/// Maths     claims of residuals are the largest of all elements that are as far from the vertices, wider by
+///           a fifth and a twentieth of what the width has room for: bounds follow from those anyhow, and a
 ///           checker need not look closer. Bounds at the search's distances and at `outside`, by
 ///           certificate::bounds_by_distance
 /// Requires  a proof of enclose_function of this problem; 0 <= outside
