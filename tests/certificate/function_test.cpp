@@ -148,6 +148,13 @@ TEST(VertexMass, BoundsWhatTheNeighbourhoodsOfVerticesSend) {
     closest = std::max(closest, exact / bound);
   }
   EXPECT_GT(closest, 0.6);
+  // Half way between vertices several of them send as much.
+  for (const double y : {0.01, 0.1, 0.2, 0.3, 0.5})
+    for (const double a : {0.1, 0.3, 0.45}) {
+      const double d = std::hypot(0.5, y) * (1 - 1e-12);
+      EXPECT_GE(mass(Rational::exactly(a), Rational::exactly(d)).upper_double(), mass_on_cube(a, 0.5, y))
+          << a << " " << y;
+    }
 }
 
 TEST(VertexMass, GrowsWithTheRadiusAndFallsWithTheDistance) {
@@ -199,6 +206,28 @@ TEST(FunctionFault, FindsTheErrorOfAConstantResidual) {
     EXPECT_GE(bound.sup, Rational(1, 8));
     EXPECT_LE(bound.sup, Rational(1, 8) * Rational(100001, 100000));
   }
+}
+
+/// With one distance, by hand: Y_1 = R_1/(1 - s), and (1 - s) Y_0 = R_0 + s m (Y_1 - Y_0), m the mass of the
+/// neighbourhoods of vertices.
+TEST(FunctionFault, CountsWhatTheVerticesSend) {
+  PolyhedronCertificate c = furnace("tetrahedron", 0.25, 1);
+  for (std::size_t e = 0; e < c.elements.size(); ++e)
+    c.claims[e].largest =
+        c.elements[e].t0 == 0 && (c.elements[e].s0 == 0 || c.elements[e].s1 == 1) ? 1 : 0.01;
+  c.by_distance = {{.outside = 1, .sup = 0}, {.outside = 0, .sup = 0}};
+  c.outside = 1;
+  const std::vector<Rational> bounds = bounds_by_distance(c);
+  const double mass = VertexMass(c)(1, 1).to_double();
+  EXPECT_GT(mass, 0.5);
+  EXPECT_NEAR(bounds[1].to_double(), 2, 1e-5);
+  EXPECT_NEAR(bounds[0].to_double(), (0.01 + 0.5 * mass * 2) / (0.5 + 0.5 * mass), 1e-4);
+  c.by_distance[0].sup = bounds[0];
+  c.by_distance[1].sup = bounds[1];
+  c.width = 10;
+  EXPECT_FALSE(function_fault(c));
+  c.by_distance[0].sup *= Rational(9999, 10000);
+  EXPECT_TRUE(function_fault(c));
 }
 
 TEST(FunctionFault, SeesBoundsThatAreTooSmall) {
