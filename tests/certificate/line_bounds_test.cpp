@@ -322,5 +322,44 @@ TEST(LineBounds, ClosingsAtEndsHold) {
   EXPECT_GT(closest, 0.2);
 }
 
+/// w_0 on the elements beyond an edge rises from it as fast as its slope says, or is bright far away alone.
+TEST(LineBounds, ClosingsAreNearWhatSlopesAndFarElementsSend) {
+  for (const bool rises : {true, false}) {
+    double closest = 0;
+    PolyhedronCertificate c = bare_certificate("cube", 3, 1, 17);
+    for (Face& face : c.faces) face.emission = {{Rational(0)}};
+    std::fill(c.coefficients.begin(), c.coefficients.end(), 0.0);
+    const std::size_t size = c.powers() * c.powers();
+    for (std::size_t e = 0; e < c.elements.size(); ++e) {
+      const Element& x = c.elements[e];
+      // The slope ends at t = 1/16; or noise up to t = 1/4.
+      const double middle = rises         ? std::min(1.0, 8 * (x.t0 + x.t1))
+                            : x.t0 < 0.25 ? 1e-7 * static_cast<double>(e)
+                                          : 1;
+      c.coefficients[e * size] = rises && x.t0 == 0 ? 0.5 : middle;
+      if (rises && x.t0 == 0) c.coefficients[e * size + 1] = 0.5;
+      // Of means: rho (1 + q_k) on a piece is to be 0 for all other functions.
+      c.coefficients[((1 + c.faces[x.face].piece) * c.elements.size() + e) * size] = -1;
+    }
+    const Bench bench(std::move(c));
+    Draw draw(18);
+    for (std::size_t e = 0; e < bench.c.elements.size(); ++e) {
+      const Element& x = bench.c.elements[e];
+      if (x.t0 > 0 || x.s0 == 0 || x.s1 == 1) continue;
+      for (int n = 0; n < 3; ++n) {
+        const double width = (x.s1 - x.s0) * 0x1p-8;
+        const double from = 0.5 * (x.s0 + x.s1);
+        const Box box{.s0 = from, .s1 = from + width, .t0 = 0, .t1 = x.t1 * std::exp2(-8 - 4 * draw())};
+        const std::optional<EdgeClosing> closing = bench.lines.closing(e, box);
+        ASSERT_TRUE(closing);
+        const Held found = held(bench, e, *closing, from + 0.5 * width, box.t1 * (0.9 + 0.1 * draw()));
+        EXPECT_LE(found.off - found.radius, closing->beside) << e;
+        if (found.off > 10 * found.radius) closest = std::max(closest, found.off / closing->beside);
+      }
+    }
+    EXPECT_GT(closest, rises ? 0.15 : 0.1) << rises;
+  }
+}
+
 }  // namespace
 }  // namespace radcert::certificate
