@@ -384,7 +384,7 @@ TEST(Check, RefusesValuesPastOccluders) {
   c.elements = room.elements;
   const Report report = check(c, {.elements = 1, .seed = {}});
   ASSERT_TRUE(report.refusal);
-  EXPECT_EQ(report.refusal->pointer, "/points/0");
+  EXPECT_EQ(report.refusal->pointer, "/of");
 }
 
 TEST(Check, RefusesAnyNumberOfAValueChanged) {
