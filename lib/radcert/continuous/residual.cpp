@@ -6,15 +6,13 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 
 #include "radcert/continuous/elements/element_interpolation.h"
 #include "radcert/continuous/elements/gauss_tables.h"
-#include "radcert/continuous/occlusion/penumbra.h"
-#include "radcert/continuous/transport/cell_transport.h"
-#include "radcert/continuous/transport/transport.h"
+#include "radcert/continuous/elements/local_values.h"
+#include "radcert/continuous/residual_samples.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
 
@@ -82,73 +80,19 @@ Share sum_of(Share a, const Share& b) {
   return a;
 }
 
-/// The functions on one element, at points of it.
-class LocalValues {
-public:
-  LocalValues(const SectorElement& element, const SectorFunctions& functions, std::size_t number)
-      : box_(element.box),
-        functions_(functions),
-        number_(number),
-        p_s_(static_cast<std::size_t>(functions.degree() + 1)),
-        p_t_(p_s_.size()) {}
-
-  /// The node at the place (x, y) in [-1,1]^2 of a part of the element.
-  void at(const SectorBox& part, double x, double y, std::span<double> values) {
-    legendre_values<double>(part_in_s(part, box_).place(x), p_s_);
-    legendre_values<double>(part_in_t(part, box_).place(y), p_t_);
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      const std::span<const double> c = functions_.of(number_, k);
-      double sum = 0;
-      for (std::size_t i = 0; i < p_s_.size(); ++i) {
-        double inner = 0;
-        for (std::size_t j = 0; j < p_t_.size(); ++j) inner += c[i * p_t_.size() + j] * p_t_[j];
-        sum += inner * p_s_[i];
-      }
-      values[k] = sum;
-    }
-  }
-
-private:
-  const SectorBox& box_;
-  const SectorFunctions& functions_;
-  std::size_t number_;
-  std::vector<double> p_s_, p_t_;
-};
-
-/// The functions and, last, 1.
-SectorFunctions with_one(const SectorFunctions& w, std::size_t elements) {
-  SectorFunctions out(elements, w.count() + 1, w.degree());
-  for (std::size_t e = 0; e < elements; ++e) {
-    for (std::size_t k = 0; k < w.count(); ++k) {
-      const std::span<const double> from = w.of(e, k);
-      std::copy(from.begin(), from.end(), out.of(e, k).begin());
-    }
-    out.of(e, w.count())[0] = 1;
-  }
-  return out;
-}
-
-/// Whether what is shaded from somewhere in a cell is left open, or each sample stands for itself.
-enum class Shade { bounded, ignored };
-
 class ResidualOverCells {
 public:
-  explicit ResidualOverCells(const Trial& trial, std::size_t residuals = 1, Shade shade = Shade::bounded)
-      : trial_(trial),
-        shade_(shade),
-        with_one_(with_one(trial.w, trial.elements.size())),
-        transport_(trial.scene, trial.elements, trial.w),
-        transport_with_one_(trial.scene, trial.elements, with_one_),
-        count_(trial.w.count()),
-        residuals_(residuals) {}
+  explicit ResidualOverCells(const Trial& trial, std::size_t residuals = 1,
+                             ShadedParts shaded = ShadedParts::bounded)
+      : trial_(trial), samples_(trial, shaded), count_(trial.w.count()), residuals_(residuals) {}
 
   [[nodiscard]] Share none() const { return Share(count_, residuals_); }
   [[nodiscard]] std::vector<Share> of_cells(std::span<const ObserverCell> cells,
                                             const CellDemand& demand) const {
-    Tolerances tolerances(cells.size());
+    CellTolerances tolerances(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c)
       if (takes_part(cells[c]) && !cells[c].is_strip()) tolerances[c] = tolerance(cells[c], demand);
-    const std::vector<Samples> found = samples(cells, tolerances);
+    const std::vector<CellSamples> found = samples_(cells, tolerances);
     std::vector<Share> out;
     for (std::size_t c = 0; c < cells.size(); ++c)
       out.push_back(!takes_part(cells[c]) ? none()
@@ -160,11 +104,11 @@ public:
   /// Bounds of |t_0|, whose samples are wanted within a part of what is allowed.
   [[nodiscard]] std::vector<double> largest(std::span<const ObserverCell> cells,
                                             std::span<const double> allowed) const {
-    Tolerances tolerances(cells.size());
+    CellTolerances tolerances(cells.size());
     for (std::size_t c = 0; c < cells.size(); ++c)
       if (!cells[c].is_strip())
         tolerances[c] = std::min(0.05, 0.1 * allowed[c] / (gain(cells[c]) * trial_.smoothness.size()));
-    const std::vector<Samples> found = samples(cells, tolerances);
+    const std::vector<CellSamples> found = samples_(cells, tolerances);
     std::vector<double> out;
     for (std::size_t c = 0; c < cells.size(); ++c) out.push_back(largest(cells[c], found[c]));
     return out;
@@ -231,23 +175,6 @@ private:
     return share;
   }
 
-  /// T w at the nodes of a cell, or the function near it that the cell's rules are for.
-  struct Samples {
-    std::vector<double> values;  ///< by node, function
-    double radius = 0;           ///< of values less q
-    std::vector<double> shade;   ///< by function: of T w less that function, all over the cell
-    std::size_t nodes = 0;
-    [[nodiscard]] double largest_shade() const { return largest_shade(shade.size()); }
-    /// Of the first functions.
-    [[nodiscard]] double largest_shade(std::size_t count) const {
-      double largest = 0;
-      for (std::size_t k = 0; k < std::min(count, shade.size()); ++k) largest = std::max(largest, shade[k]);
-      return largest;
-    }
-  };
-  /// Of samples, relative to w; none where a cell has no samples.
-  using Tolerances = std::vector<std::optional<double>>;
-
   /// Not what neither reflects nor sends: it is in neither sum.
   [[nodiscard]] bool takes_part(const ObserverCell& cell) const {
     return trial_.rho(cell.element) != 0 || trial_.smoothness.density_size(cell.element) != 0;
@@ -264,83 +191,8 @@ private:
          0.15 * demand.quadrature / (over * trial_.smoothness.density_size(cell.element) * size)});
   }
 
-  /// What is sent to the nodes of cells: by w alone, or by w and 1 where a part of T 1 = 1 is wanted.
-  [[nodiscard]] std::vector<Transport::Values> sent(std::span<const ObserverCell> cells,
-                                                    const Tolerances& tolerances) const {
-    std::vector<Transport::Values> out(cells.size());
-    if (!trial_.scene.sight().is_open()) {
-      for (std::size_t c = 0; c < cells.size(); ++c)
-        if (tolerances[c]) out[c] = sent_past_panels(cells[c], *tolerances[c]);
-      return out;
-    }
-    for (std::size_t begin = 0; begin < cells.size();) {
-      const std::size_t element = cells[begin].element;
-      std::size_t end = begin;
-      while (end < cells.size() && cells[end].element == element) ++end;
-      for (const bool closed : {false, true}) {
-        std::vector<std::size_t> places;
-        std::vector<CellNodes> wanted;
-        for (std::size_t c = begin; c < end; ++c)
-          if (cells[c].closed == closed && tolerances[c]) {
-            places.push_back(c);
-            wanted.push_back({cells[c].box, cells[c].nodes_s, cells[c].nodes_t,
-                              closed ? 0.5 * *tolerances[c] : *tolerances[c]});
-          }
-        if (places.empty()) continue;
-        std::vector<Transport::Values> found =
-            closed ? transport_to_cells(transport_with_one_, element, wanted, panel_beyond(element))
-                   : transport_to_cells(transport_, element, wanted);
-        for (std::size_t k = 0; k < places.size(); ++k) out[places[k]] = std::move(found[k]);
-      }
-      begin = end;
-    }
-    return out;
-  }
-
-  [[nodiscard]] Transport::Values sent_past_panels(const ObserverCell& cell, double tolerance) const {
-    const Sector& sector = trial_.sector(cell.element);
-    const std::array<Vector<double>, 4> corners = corners_of(sector, cell.box);
-    const ObserverGroup group{
-        .panel = sector.panel,
-        .points = ElementInterpolation(cell.nodes_s, cell.nodes_t).points(sector, cell.box),
-        .hull = {corners.begin(), corners.end()},
-        .least_mass = shade_ == Shade::ignored ? negligible_mass : cell.least_mass,
-        .by_points = shade_ == Shade::ignored};
-    if (cell.closed) return transport_with_one_(group, 0.5 * tolerance, panel_beyond(cell.element));
-    return shade_ == Shade::ignored ? transport_(group, tolerance)
-                                    : transport_with_one_(group, 0.5 * tolerance);
-  }
-
-  /// The panel on the other side of an element's edge.
-  [[nodiscard]] std::size_t panel_beyond(std::size_t element) const {
-    return trial_.sector(*trial_.closure.mirror(element)).panel;
-  }
-
-  [[nodiscard]] std::vector<Samples> samples(std::span<const ObserverCell> cells,
-                                             const Tolerances& tolerances) const {
-    const auto powers = static_cast<double>(trial_.q.degree() + 1);
-    const double rounding = 40 * powers * powers * unit * trial_.smoothness.largest_residual();
-    const bool as_they_are = shade_ == Shade::ignored || trial_.scene.sight().is_open();
-    std::vector<Transport::Values> values = sent(cells, tolerances);
-    std::vector<Samples> out;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      if (values[c].values.empty()) {
-        out.emplace_back();
-        continue;
-      }
-      Found found = cells[c].closed ? closed(cells[c], values[c])
-                    : as_they_are   ? Found{std::move(values[c])}
-                                    : half_shaded(values[c]);
-      out.push_back({.values = std::move(found.values.values),
-                     .radius = (found.values.radius + rounding + trial_.rounding) * upward,
-                     .shade = std::move(found.shade),
-                     .nodes = static_cast<std::size_t>(cells[c].nodes_s * cells[c].nodes_t)});
-    }
-    return out;
-  }
-
   /// A bound of |t_0| from its samples.
-  [[nodiscard]] double largest(const ObserverCell& cell, const Samples& found) const {
+  [[nodiscard]] double largest(const ObserverCell& cell, const CellSamples& found) const {
     if (cell.is_strip()) return trial_.smoothness.residual_size(cell.element) * upward;
     std::vector<double> residual(found.nodes);
     visit(cell.element, cell.box, gauss_on_interval(cell.nodes_s), gauss_on_interval(cell.nodes_t),
@@ -358,7 +210,7 @@ private:
            upward;
   }
 
-  [[nodiscard]] Share of_samples(const ObserverCell& cell, const Samples& found) const {
+  [[nodiscard]] Share of_samples(const ObserverCell& cell, const CellSamples& found) const {
     Share share = none();
     const double over = area(cell.element, cell.box);
     const double rho = trial_.rho(cell.element);
@@ -386,56 +238,8 @@ private:
     return share;
   }
 
-  struct Found {
-    Transport::Values values;
-    std::vector<double> shade = {};
-  };
-
-  /// F_k + c_k (1 - F 1) of Penumbra.
-  [[nodiscard]] Found half_shaded(const Transport::Values& found) const {
-    const std::size_t points = found.values.size() / (count_ + 1);
-    Penumbra::Rest rest = trial_.penumbra.rest(found.shaded);
-    Found out{.values = {.values = std::vector<double>(points * count_),
-                         .radius = found.radius * (1 + trial_.smoothness.size()) * upward},
-              .shade = std::move(rest.bounds)};
-    for (std::size_t p = 0; p < points; ++p) {
-      const double* const sent = &found.values[p * (count_ + 1)];
-      for (std::size_t k = 0; k < count_; ++k)
-        out.values.values[p * count_ + k] = sent[k] + rest.constants[k] * (1 - sent[count_]);
-    }
-    return out;
-  }
-
-  /// F of Smoothness' closure: what the other panels send, and xi times the rest of T 1 = 1.
-  [[nodiscard]] Found closed(const ObserverCell& cell, const Transport::Values& found) const {
-    const IntervalRule<double>& rule_s = gauss_on_interval(cell.nodes_s);
-    const IntervalRule<double>& rule_t = gauss_on_interval(cell.nodes_t);
-    const std::size_t mirror = *trial_.closure.mirror(cell.element);
-    LocalValues at_edge(trial_.elements[mirror], trial_.w, mirror);
-    const SectorBox across{
-        .s0 = 1 - cell.box.s1, .s1 = 1 - cell.box.s0, .t0 = 0, .t1 = trial_.elements[mirror].box.t1};
-    const std::size_t points = rule_s.nodes.size() * rule_t.nodes.size();
-    Found out{.values = {.values = std::vector<double>(points * count_),
-                         .radius = found.radius * (1 + trial_.smoothness.density_size(mirror)) * upward}};
-    if (!found.shaded.empty()) out.shade = trial_.penumbra.rest_at_edge(found.shaded, mirror, across).bounds;
-    std::vector<double> xi(count_);
-    for (std::size_t i = 0; i < rule_s.nodes.size(); ++i) {
-      at_edge.at(across, -rule_s.nodes[i], -1, xi);
-      for (std::size_t j = 0; j < rule_t.nodes.size(); ++j) {
-        const std::size_t place = i * rule_t.nodes.size() + j;
-        const double* const sent = &found.values[place * (count_ + 1)];
-        for (std::size_t k = 0; k < count_; ++k)
-          out.values.values[place * count_ + k] = sent[k] + xi[k] * (1 - sent[count_]);
-      }
-    }
-    return out;
-  }
-
   const Trial& trial_;
-  Shade shade_;
-  SectorFunctions with_one_;
-  Transport transport_;
-  Transport transport_with_one_;
+  ResidualSamples samples_;
   std::size_t count_;
   std::size_t residuals_;  ///< for products
 };
@@ -655,8 +459,8 @@ std::vector<double> expected_norms(const Trial& trial) {
   const CellDemand demand{
       .interpolation = rough(trial) * std::sqrt(area / static_cast<double>(trial.elements.size())),
       .quadrature = rough(trial) * area};
-  return sums_over(ResidualOverCells(trial, 1, Shade::ignored), trial, whole_elements(trial), demand, false,
-                   nullptr, 1)
+  return sums_over(ResidualOverCells(trial, 1, ShadedParts::ignored), trial, whole_elements(trial), demand,
+                   false, nullptr, 1)
       .norms;
 }
 
