@@ -5,6 +5,7 @@
 #include <functional>
 #include <vector>
 
+#include "radcert/continuous/elements/element_interpolation.h"
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/trial.h"
 
@@ -52,10 +53,10 @@ public:
 };
 
 /// sup |f - I f| over e_s + e_t, I the interpolation at a cell's nodes.
-/// Maths     |f - I_s I_t f| <= |f - I_s f| + |I_s (f - I_t f)| <= (1+L_s) e_s + L_s (1+L_t) e_t, with L_s <=
-///           n_s, L_t <= n_t (ElementInterpolation): at most n_s (1+n_t) + 1
+/// Maths     |f - I_s I_t f| <= |f - I_s f| + |I_s (f - I_t f)| <= (1+L_s) e_s + L_s (1+L_t) e_t, L the
+///           Lebesgue constants, 1 or more: at most L_s (1+L_t) + 1
 [[nodiscard]] inline double interpolation_gain(int nodes_s, int nodes_t) {
-  return nodes_s * (1 + nodes_t) + 1;
+  return (lebesgue_constant(nodes_s) * (1 + lebesgue_constant(nodes_t)) + 1) * upward;
 }
 
 /// Cells with rules that meet a demand.

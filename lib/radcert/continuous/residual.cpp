@@ -180,7 +180,9 @@ private:
     return trial_.rho(cell.element) != 0 || trial_.smoothness.density_size(cell.element) != 0;
   }
 
-  static double gain(const ObserverCell& cell) { return cell.nodes_s * cell.nodes_t; }
+  static double gain(const ObserverCell& cell) {
+    return lebesgue_constant(cell.nodes_s) * lebesgue_constant(cell.nodes_t);
+  }
 
   /// Of samples, relative to w.
   [[nodiscard]] double tolerance(const ObserverCell& cell, const CellDemand& demand) const {
@@ -202,9 +204,9 @@ private:
     const ElementInterpolation interpolation(cell.nodes_s, cell.nodes_t);
     std::vector<double> coefficients(found.nodes);
     interpolation.coefficients(residual, 1, coefficients);
-    double sum = 0;
-    for (const double c : coefficients) sum += std::abs(c);
-    return (sum + gain(cell) * found.radius + found.largest_shade() +
+    const double interpolant = supremum(coefficients, static_cast<std::size_t>(cell.nodes_s),
+                                        static_cast<std::size_t>(cell.nodes_t));
+    return (interpolant + gain(cell) * found.radius + found.largest_shade() +
             interpolation.rounding(trial_.smoothness.largest_residual(), 0) +
             interpolation_gain(cell.nodes_s, cell.nodes_t) * cell.of_rules + cell.beside) *
            upward;

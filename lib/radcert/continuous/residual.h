@@ -46,8 +46,8 @@ struct ResidualSums {
                                          MeshWork* work = nullptr, std::size_t residuals = 1);
 
 /// The largest values of |t_0| on cells.
-/// Maths     |t| <= sum |c_ij| + n_s n_t times the samples' radius + interpolation_gain e, c the coefficients
-///           of the interpolant; at an edge of F - q, and |T w - F|
+/// Maths     |t| <= supremum of the interpolant + L_s L_t times the samples' radius + interpolation_gain e, L
+///           the Lebesgue constants; at an edge of F - q, and |T w - F|
 /// Requires  cells of this trial
 /// Result    by cell, proved; the same bits for any number of threads
 [[nodiscard]] std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,

@@ -38,4 +38,21 @@ private:
   std::vector<double> in_t_;  ///< N, by j, l
 };
 
+/// A bound of the Lebesgue constant sup sum_a |l_a| of n Gauss nodes on [-1,1].
+/// Maths     at each place it is one of the polynomials sum +-l_a, of degree m = n - 1. Where a trigonometric
+///           polynomial f(theta) = p(cos theta) of degree m has its largest size M, |f| >= M cos(m phi) at the
+///           distance phi <= pi/m (Riesz); angles pi/(8n) apart are at most pi/(16n) from there: the largest
+///           sum at their places / cos(m pi/(16n))
+/// Requires  1 <= nodes <= most_gauss_nodes, else ContractViolation
+/// Result    proved, at most 2 % too large
+[[nodiscard]] double lebesgue_constant(int nodes);
+
+/// A bound of |sum c_ij P_i(x) P_j(y)| on [-1,1]^2.
+/// Maths     on each of 4 x 4 parts at most the sum of the sizes of its own coefficients, since |P_k| <= 1:
+///           P_i(m + h x) = sum_(k <= i) A_ik P_k(x), A_ik by a Gauss rule that is exact. Of n powers A_ik is
+///           off by (2k+1) (20 n^2 + 64) u, and sum_k |A_ik| <= sum_k (2k+1)^(1/2) <= n^2
+/// Requires  coefficients by i, j; at most most_gauss_nodes of either, else ContractViolation
+/// Result    rounded up; no more than the sum of the coefficients' sizes, but for rounding
+[[nodiscard]] double supremum(std::span<const double> coefficients, std::size_t of_x, std::size_t of_y);
+
 }  // namespace radcert
