@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -97,6 +98,15 @@ TEST(CellSupremum, CoversTheRadiusOfTheValues) {
   }
 }
 
+TEST(CellSupremum, IsInfiniteWhereAValueIsNotKnown) {
+  for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity()})
+    for (const std::size_t k : {0U, 1U, 3U}) {
+      std::vector<double> values(4, 0.5);
+      values[k] = wrong;
+      EXPECT_EQ(cell_supremum(values, 0, 2, 2), std::numeric_limits<double>::infinity());
+    }
+}
+
 TEST(CellSupremum, RefusesNumbersOfNodesThatItHasNoTableOf) {
   EXPECT_THROW(static_cast<void>(cell_supremum(std::vector<double>(17), 0, 17, 1)), ContractViolation);
   EXPECT_THROW(static_cast<void>(cell_supremum(std::vector<double>(3), 0, 2, 2)), ContractViolation);
@@ -159,9 +169,10 @@ TEST(VertexMass, GrowsWithTheRadiusAndFallsWithTheDistance) {
       EXPECT_GE(now, before) << name;
       before = now;
     }
-    // Half of a ball that touches the observer fills half of what it sees.
+    // Half of a ball that touches the observer fills half of what it sees; within it there may be all.
     EXPECT_GE(before, 0.5);
     EXPECT_LE(before, 1);
+    EXPECT_EQ(mass(Rational(501, 1000), Rational(1, 2)).to_double(), 1);
     EXPECT_GT(mass(Rational(1, 10), Rational(1, 5)).upper_double(),
               mass(Rational(1, 10), Rational(3, 10)).upper_double());
   }
@@ -306,7 +317,7 @@ TEST(CheckOfAFunction, RefusesAnyNumberChanged) {
   ASSERT_FALSE(refuses(whole));
   Draw draw(43);
   constexpr std::size_t kinds = 8;
-  for (std::size_t n = 0; n < test::repeats(3 * kinds); ++n) {
+  for (std::size_t n = 0; n < test::repeats(2 * kinds); ++n) {
     PolyhedronCertificate c = whole;
     const double sign = draw() < 0.5 ? -1 : 1;
     std::size_t e = chosen[draw.below(chosen.size())];
@@ -337,6 +348,17 @@ TEST(CheckOfAFunction, VerifiesWhatASearchFound) {
   EXPECT_LE(c.width, Rational(3));
   const Report report = check(c, {.elements = 12, .seed = "search"});
   EXPECT_FALSE(report.refusal) << text_of(report);
+}
+
+/// Without a search for cells that prove what is false by far.
+TEST(CheckOfAFunction, RefusesTinyClaimsAtOnce) {
+  for (const double claim : {1e-3, 1e-9, 1e-14, 1e-300, 0.0}) {
+    PolyhedronCertificate c = furnace("tetrahedron", 0.25, 1.1, true);
+    for (Claim& own : c.claims) own.largest = std::min(own.largest, claim);
+    const Report report = check(c, {.elements = all, .seed = {}});
+    ASSERT_TRUE(report.refusal) << claim;
+    EXPECT_EQ(report.refusal->pointer, "/claims/0/largest") << report.refusal->pointer;
+  }
 }
 
 TEST(CheckOfAFunction, RefusesSurfacesWhosePartsHideEachOther) {

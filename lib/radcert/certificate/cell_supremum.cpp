@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "radcert/certificate/gauss_rule.h"
@@ -77,7 +78,10 @@ double cell_supremum(std::span<const double> values, double radius, int nodes_s,
   const LagrangeGrid& in_s = grid_of(nodes_s);
   const LagrangeGrid& in_t = grid_of(nodes_t);
   double size = 0;
-  for (const double x : values) size = std::max(size, std::abs(x));
+  for (const double x : values) {
+    if (!std::isfinite(x)) return std::numeric_limits<double>::infinity();
+    size = std::max(size, std::abs(x));
+  }
   double largest = 0;
   std::vector<double> line(n_t);
   for (std::size_t a = 0; a < in_s.points; ++a) {

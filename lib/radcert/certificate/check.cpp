@@ -179,12 +179,19 @@ std::optional<Refusal> occlusion_fault(const PolyhedronCertificate& c) {
   return Refusal{"/of", "is not means, and parts of the surface hide each other"};
 }
 
-/// Whether something is claimed to be exactly 0 that no rounded computation could prove.
+/// Whether something is claimed to be 0, or so near to it, that no rounded computation could prove it.
 std::optional<Refusal> zero_fault(const PolyhedronCertificate& c, const Scene& scene,
                                   const Densities& densities, std::size_t element) {
   if (c.faces[c.elements[element].face].reflectivity.sign() == 0) return std::nullopt;
   const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), {1, 1});
-  if (allowance.norm > 0 && allowance.product > 0 && allowance.largest > 0) return std::nullopt;
+  // Of a largest value, less than roundings of w and q leave.
+  const double least = c.of_function() && !densities.vanishes(0)
+                           ? 0x1p-44 * densities.reflectivity(element) *
+                                 (densities.largest_of(0) + densities.q_size_of(element, 0))
+                           : 0;
+  if (allowance.norm > 0 && allowance.product > 0 && allowance.largest > least) return std::nullopt;
+  if (least > 0)
+    return Refusal{place("/claims", element) + "/largest", "claims less than doubles can tell from 0"};
   return Refusal{place("/claims", element), "claims that something is exactly 0"};
 }
 
@@ -205,7 +212,14 @@ std::optional<Refusal> element_fault(const PolyhedronCertificate& c, const Scene
   // half of it takes four times as many cells.
   std::vector<Share> shares = is_open ? std::vector<Share>{{0.07, 0.5}, {0.007, 0.05}}
                                       : std::vector<Share>{{0.4, 0.7}, {0.2, 0.5}, {0.07, 0.3}};
-  if (c.of_function()) shares = {{0.15, 0}, {0.05, 0}, {0.015, 0}};
+  if (c.of_function()) {
+    shares = {{0.15, 0}, {0.05, 0}, {0.015, 0}};
+    const double claimed = allowance_of(c, densities, element, scene.exponent(), {1, 1}).claim;
+    // A claim that is false by much is not worth the search for cells.
+    ResidualBounds inside;
+    inside.largest = elements.residual_inside(element, std::min(1e-6, 0.1 * claimed));
+    if ((fault = claim_fault(c, element, inside, scene.exponent(), densities))) return fault;
+  }
   for (const Share& share : shares) {
     const Allowance allowance = allowance_of(c, densities, element, scene.exponent(), share);
     const ResidualBounds proved = elements.bounds(element, allowance);

@@ -445,7 +445,7 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
       const double first = t(0);
       if (certificate_.of_function()) {
         firsts.push_back(first);
-        firsts_off = std::max(firsts_off, radius);
+        firsts_off = std::isfinite(radius) ? std::max(firsts_off, radius) : infinity;
       }
       for (std::size_t k = 0; k < count; ++k) {
         if (densities_.vanishes(k)) continue;
@@ -472,6 +472,36 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
     sums.products[k - 1] += products[k];
     sums.radii[k - 1] += terms[k] * order * upward;
   }
+}
+
+double ElementCheck::residual_inside(std::size_t element, double tolerance) const {
+  constexpr int nodes = 4;
+  const Element& whole = certificate_.elements[element];
+  Observers observers{.triangle = lines_.triangle_place(element), .s = {}, .t = {}};
+  std::vector<BoundedDouble> x;
+  for (const double node : gauss_rule(nodes).near_nodes) x.push_back(BoundedDouble::exactly(node));
+  const auto place = [](double from, double to, const BoundedDouble& at) {
+    return BoundedDouble::exactly(0.5 * (from + to)) + BoundedDouble::exactly(0.5 * (to - from)) * at;
+  };
+  for (const BoundedDouble& s : x)
+    for (const BoundedDouble& t : x) {
+      observers.s.push_back(place(whole.s0, whole.s1, s));
+      observers.t.push_back(place(whole.t0, whole.t1, t));
+    }
+  const BallTransport::Values sent = transport_(observers, tolerance, std::nullopt);
+  const LegendreTable p(densities_.degree(), x);
+  const double off = densities_.error(element, p, p);
+  std::vector<double> q(densities_.stride());
+  double most = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      Densities::values(densities_.q(element), densities_.stride(), &p.values[i * densities_.powers()],
+                        &p.values[j * densities_.powers()], densities_.powers(), q);
+      const std::size_t at = i * x.size() + j;
+      const double found = std::abs(sent.values[at * densities_.stride()] - q[0]);
+      most = std::max(most, (found - sent.radii[at] - off) / upward);
+    }
+  return densities_.reflectivity(element) * most;
 }
 
 ResidualBounds ElementCheck::bounds(std::size_t element, const Allowance& allowance) const {

@@ -70,6 +70,9 @@ public:
   /// Requires  a face that reflects
   /// Result    proved, whatever the allowance; better where that is less
   [[nodiscard]] ResidualBounds bounds(std::size_t element, const Allowance& allowance) const;
+  /// What `largest` of them cannot be less than: sup rho times |t_0| at some points inside.
+  /// Requires  as bounds; where every face sees all others
+  [[nodiscard]] double residual_inside(std::size_t element, double tolerance) const;
 
 private:
   struct Cell;

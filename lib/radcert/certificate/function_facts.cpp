@@ -29,7 +29,8 @@ Rational squared_distance(const Vector<Rational>& p, const Vector<Rational>& q) 
 
 /// phi(x) of VertexMass, from x^2.
 Ball half_cone(const Rational& square) {
-  if (square >= Rational(1)) return Ball(Rational(1, 2));
+  if (square > Rational(1)) return Ball(1);
+  if (square == Rational(1)) return Ball(Rational(1, 2));
   const Ball sine = sqrt(Ball(square));
   const Ball cosine = sqrt(Ball(Rational(1) - square));
   return (atan(sine / cosine) - sine * cosine) / Ball::pi();

@@ -40,9 +40,9 @@ private:
 
 /// A bound of the Lebesgue constant sup sum_a |l_a| of n Gauss nodes on [-1,1].
 /// Maths     at each place it is one of the polynomials sum +-l_a, of degree m = n - 1. Where a trigonometric
-///           polynomial f(theta) = p(cos theta) of degree m has its largest size M, |f| >= M cos(m phi) at the
-///           distance phi <= pi/m (Riesz); angles pi/(8n) apart are at most pi/(16n) from there: the largest
-///           sum at their places / cos(m pi/(16n))
+///           polynomial f(theta) = p(cos theta) of degree m has its largest size M, |f| >= M cos(m phi) at
+///           the distance phi <= pi/m (Riesz); angles pi/(8n) apart are at most pi/(16n) from there: the
+///           largest sum at their places / cos(m pi/(16n))
 /// Requires  1 <= nodes <= most_gauss_nodes, else ContractViolation
 /// Result    proved, at most 2 % too large
 [[nodiscard]] double lebesgue_constant(int nodes);
