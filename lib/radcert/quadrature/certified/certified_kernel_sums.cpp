@@ -158,6 +158,7 @@ public:
       points_.position.push_back(position.value);
       points_.normal.push_back(normal.value);
       points_.at.push_back({name.at.s.to_double(), name.at.t.to_double()});
+      all_points_.push_back(static_cast<std::uint32_t>(all_points_.size()));
       points_.errors.position = std::max(points_.errors.position, position.error);
       points_.errors.normal = std::max(points_.errors.normal, normal.error);
     }
@@ -165,12 +166,16 @@ public:
 
   class Visit;
 
-  void expects_place(std::size_t k, std::size_t values, std::size_t radii) const {
-    const std::size_t places = names_.size() * functions_.size();
+  void expects_place(std::size_t k, std::span<const std::uint32_t> points, std::size_t values,
+                     std::size_t radii) const {
+    const std::size_t places = points.size() * functions_.size();
     expects(k < triangulation_.triangles.size() && values == places && radii == places,
             "an element, and a place for each function and point", named("element", k),
             named("values", values), named("radii", radii));
+    for (const std::uint32_t i : points)
+      expects(i < names_.size(), "the number of a point", named("number", i), named("points", names_.size()));
   }
+  const std::vector<std::uint32_t>& all_points() const { return all_points_; }
 
 private:
   static bool in_domain(ChartDomain domain, const ParameterPoint<Rational>& at) {
@@ -185,17 +190,20 @@ private:
   const Triangulation& triangulation_;
   const ElementFunctions& functions_;
   std::vector<SurfacePoint<Rational>> names_;
+  std::vector<std::uint32_t> all_points_;  ///< their numbers
   double demand_;
   GaussOrders gauss_;
   std::vector<BoundedChart> bounded_;  ///< by chart
   Points points_;
 };
 
-/// One element and all points.
+/// One element and some points, which are called here by their places among these.
 class CertifiedKernelSums::Prepared::Visit {
 public:
-  Visit(const Prepared& all, std::size_t k, std::span<double> values, std::span<double> radius)
+  Visit(const Prepared& all, std::size_t k, std::span<const std::uint32_t> points, std::span<double> values,
+        std::span<double> radius)
       : all_(all),
+        numbers_(points),
         functions_(all.functions_.size()),
         triangle_(all.triangulation_.triangles[k]),
         chart_(all.surface_.charts[triangle_.chart]),
@@ -216,10 +224,10 @@ public:
     for (std::size_t chart = 0; chart < all_.surface_.chart_count(); ++chart)
       in_plane.push_back(in_same_plane(chart));
     std::vector<std::uint32_t> outside;
-    for (std::size_t i = 0; i < all_.names_.size(); ++i) {
-      const SurfacePoint<Rational>& name = all_.names_[i];
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      const SurfacePoint<Rational>& name = all_.names_[numbers_[i]];
       if (in_plane[name.chart]) continue;
-      if (name.chart == triangle_.chart && may_contain(triangle_.vertices, all_.points_.at[i]) &&
+      if (name.chart == triangle_.chart && may_contain(triangle_.vertices, all_.points_.at[numbers_[i]]) &&
           contains(corners_, name.at)) {
         if (Outcome<void> found = from_within(i); !found) return found;
         continue;
@@ -238,16 +246,17 @@ private:
   }
 
   void add(std::size_t i, std::size_t j, double value, double error) {
-    const std::size_t place = j * all_.names_.size() + i;
+    const std::size_t place = j * numbers_.size() + i;
     const bool known = std::isfinite(value) && error >= 0;
     values_[place] += known ? value : 0;
     radius_[place] += (known ? error : infinity) + unit * std::abs(values_[place]);
   }
 
   Outcome<void> from_within(std::size_t i) {
-    const Vector<Ball> normal = unit_normal(all_.frame_of(all_.names_[i]));
+    const SurfacePoint<Rational>& name = all_.names_[numbers_[i]];
+    const Vector<Ball> normal = unit_normal(all_.frame_of(name));
     Outcome<void> found = within_.integrals(
-        all_.names_[i].at, normal, share * all_.demand_ / static_cast<double>(functions_), function_values_);
+        name.at, normal, share * all_.demand_ / static_cast<double>(functions_), function_values_);
     if (!found) return found;
     for (std::size_t j = 0; j < functions_; ++j)
       add(i, j, function_values_[j].value(), function_values_[j].error());
@@ -258,7 +267,7 @@ private:
     if (list.empty()) return {};
     throw_if_interrupted();
     if (cell.depth > deepest.value()) {
-      const SurfacePoint<Rational>& name = all_.names_[list.front()];
+      const SurfacePoint<Rational>& name = all_.names_[numbers_[list.front()]];
       return because(
           "the integral over an element of chart " + chart_.facts().name + " from the point (" +
           name.at.s.to_text() + ", " + name.at.t.to_text() + ") of chart " +
@@ -299,7 +308,7 @@ private:
 
   /// At most |c - P|.
   double distance(std::size_t i) const {
-    const double computed = norm(all_.points_.position[i] - centre_);
+    const double computed = norm(all_.points_.position[numbers_[i]] - centre_);
     return (computed * (1 - 8 * unit) - all_.points_.errors.position) * down;
   }
 
@@ -448,7 +457,7 @@ private:
     for (std::size_t begin = 0; begin < list.size(); begin += Pack::lanes) {
       const std::size_t count = std::min(Pack::lanes, list.size() - begin);
       for (std::size_t lane = 0; lane < Pack::lanes; ++lane) {
-        const std::size_t i = list[begin + std::min(lane, count - 1)];
+        const std::size_t i = numbers_[list[begin + std::min(lane, count - 1)]];
         const Vector<double>& position = all_.points_.position[i];
         const Vector<double>& normal = all_.points_.normal[i];
         points.position.x.set_lane(lane, position.x);
@@ -475,6 +484,7 @@ private:
   static constexpr double share = 1.0 / 64;
 
   const Prepared& all_;
+  std::span<const std::uint32_t> numbers_;
   std::size_t functions_;
   const ParameterTriangle& triangle_;
   const Chart& chart_;
@@ -512,8 +522,13 @@ CertifiedKernelSums::~CertifiedKernelSums() = default;
 
 Outcome<void> CertifiedKernelSums::element(std::size_t k, std::span<double> values,
                                            std::span<double> radius) const {
-  prepared_->expects_place(k, values.size(), radius.size());
-  return Prepared::Visit(*prepared_, k, values, radius).run();
+  return element(k, prepared_->all_points(), values, radius);
+}
+
+Outcome<void> CertifiedKernelSums::element(std::size_t k, std::span<const std::uint32_t> points,
+                                           std::span<double> values, std::span<double> radius) const {
+  prepared_->expects_place(k, points, values.size(), radius.size());
+  return Prepared::Visit(*prepared_, k, points, values, radius).run();
 }
 
 }  // namespace radcert

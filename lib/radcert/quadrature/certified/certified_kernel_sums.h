@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 
@@ -48,6 +49,9 @@ public:
   /// unless the spans have that size. Refused with what stood in the way.
   [[nodiscard]] Outcome<void> element(std::size_t k, std::span<double> values,
                                       std::span<double> radius) const;
+  /// The same from some of the points, by their numbers: from number i of these at place j size + i.
+  [[nodiscard]] Outcome<void> element(std::size_t k, std::span<const std::uint32_t> points,
+                                      std::span<double> values, std::span<double> radius) const;
 
 private:
   class Prepared;
