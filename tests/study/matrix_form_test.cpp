@@ -185,6 +185,23 @@ TEST(MatrixForm, LeavesTheProvedSolutionWithinItsRadius) {
   }
 }
 
+TEST(MatrixForm, LeavesTheProvedSolutionOnASphereWithinItsRadius) {
+  // u_n = 2 on the unit sphere, where K 1 = 1.
+  Problem problem =
+      held_as(with_basis(with_emission(sample_problem("sphere"), "1"), 0, Rational(0)), "h2", "verified");
+  problem.reflectivity = everywhere("1/2");
+  problem.matrix.tolerance = Rational(1, 10000);
+  problem.quadrature.tolerance = Rational(1, 10000);
+  const LevelOutcome found = solve_level(problem, 1, no_route);
+  EXPECT_EQ(found.result.matrix_form, "h2");
+  ASSERT_TRUE(found.result.verified);
+  for (const NodeValue& node : found.nodes) {
+    EXPECT_TRUE(node.u_n.guaranteed);
+    EXPECT_LE(std::abs(node.u_n.value - 2), node.u_n.radius);
+    EXPECT_LE(node.u_n.radius, 1e-3);
+  }
+}
+
 TEST(MatrixForm, IsRefusedByNameWhereItDoesNotServe) {
   const Problem problem = held_as(on_ellipsoid(), "h2");
   EXPECT_NO_THROW(check(problem, std::numeric_limits<std::uint64_t>::max() - 1));
@@ -200,7 +217,9 @@ TEST(MatrixForm, IsRefusedByNameWhereItDoesNotServe) {
   for (const std::string& solver :
        solver_names([](const LinearSolver& each) { return !each.takes_products() && !each.proves(); }))
     expect_obstacle(held_as(on_ellipsoid(), "h2", solver), "solver " + solver);
-  expect_obstacle(held_as(on_ellipsoid(), "h2", "verified"), "is not plane");
+  EXPECT_NO_THROW(check(held_as(on_ellipsoid(), "h2", "verified"), 1));
+  expect_obstacle(held_as(with_emission(sample_problem("cylinder", {}), "1"), "h2", "verified"),
+                  "neither plane nor an octant");
   Problem graded = problem;
   graded.triangulation.grading = 2;
   expect_obstacle(graded, "curved charts");

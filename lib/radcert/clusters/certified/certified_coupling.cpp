@@ -18,6 +18,7 @@
 #include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/approximation.h"
 #include "radcert/scalar/ball.h"
+#include "radcert/scalar/ball_precision.h"
 #include "radcert/scalar/pack.h"
 
 namespace radcert {
@@ -43,58 +44,89 @@ long double long_double_of(const Ball& x, double& error) {
 using Nodes = CertifiedOutlines::Nodes;
 
 Nodes nodes_of(const Chart& chart, const ParameterTriangle& triangle, int degree) {
+  const BallPrecision precision(BallPrecision::default_bits);
   Nodes nodes;
   const auto rounded = [&nodes](const Vector<Ball>& v) {
     return std::array<long double, 3>{long_double_of(v.x, nodes.error), long_double_of(v.y, nodes.error),
                                       long_double_of(v.z, nodes.error)};
   };
-  std::array<Vector<Ball>, 3> corners;
-  const ChartIn<Ball>& formula = chart.in<Ball>();
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Frame<Ball> frame = formula.frame({Ball(triangle.vertices[i].s), Ball(triangle.vertices[i].t)});
-    corners[i] = frame.point;
-    nodes.normal = rounded(unit_normal(frame));
-  }
-  const Vector<Ball> first = corners[1] - corners[0];
-  const Vector<Ball> second = corners[2] - corners[0];
+  const auto corner = [&](std::size_t i) {
+    return ParameterPoint<Ball>{Ball(triangle.vertices[i].s), Ball(triangle.vertices[i].t)};
+  };
+  const ParameterPoint<Ball> origin = corner(0);
+  const ParameterPoint<Ball> first = corner(1) - origin;
+  const ParameterPoint<Ball> second = corner(2) - origin;
+  const Ball area = abs(cross(first, second)) / Ball(2);
   for (const ParameterPoint<double>& x : exact_interpolation_nodes(degree)) {
-    nodes.at.push_back(rounded(corners[0] + Ball(x.s) * first + Ball(x.t) * second));
+    const Frame<Ball> frame = chart.in<Ball>().frame(origin + Ball(x.s) * first + Ball(x.t) * second);
+    nodes.at.push_back(rounded(frame.point));
+    nodes.normal.push_back(rounded(unit_normal(frame)));
+    nodes.weight.push_back(long_double_of(area * area_element(frame), nodes.weight_error));
     for (const long double coordinate : nodes.at.back())
       nodes.size = std::max(nodes.size, static_cast<double>(std::abs(coordinate)) * up);
+    nodes.largest_weight = std::max(nodes.largest_weight, static_cast<double>(nodes.weight.back()) * up);
   }
   return nodes;
 }
 
-/// G between nodes, rows those of a, and what its values may be off by.
-/// Maths     coordinates are off by 2^-64 of their size and the balls' radii, so that a difference of length
-///           d is off by at most t d, with t as below where d is at least the least distance. Then the two
-///           scalar products are off by 2t d, the squared distance by 3t d^2, and G by 12t / d^2, t < 2^-20,
-///           the roundings of a few operations within t
+/// Values of a kernel between nodes, rows those of one cluster, and what the values may be off by.
 struct KernelValues {
   LongMatrix values;
   double error = infinity;
   double largest = 0;
 };
 
+/// G between nodes, rows those of a.
+/// Maths     coordinates are off by 2^-64 of their size and the balls' radii, so that a difference of length
+///           d is off by at most t d, with t as below where d is at least the least distance. Then the two
+///           scalar products are off by 2t d, the squared distance by 3t d^2, and G by 12t / d^2, t < 2^-20,
+///           the roundings of a few operations within t
 KernelValues kernel_values(const Nodes& a, const Nodes& b) {
   KernelValues g;
   g.values.reserve(a.at.size() * b.at.size());
   long double least = std::numeric_limits<long double>::infinity();
   long double largest = 0;
-  for (const auto& p : a.at)
-    for (const auto& q : b.at) {
+  for (std::size_t i = 0; i < a.at.size(); ++i) {
+    const std::array<long double, 3>& p = a.at[i];
+    const std::array<long double, 3>& n = a.normal[i];
+    for (std::size_t j = 0; j < b.at.size(); ++j) {
+      const std::array<long double, 3>& q = b.at[j];
+      const std::array<long double, 3>& m = b.normal[j];
       const std::array<long double, 3> d{p[0] - q[0], p[1] - q[1], p[2] - q[2]};
       const long double squared = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-      const long double from_p = d[0] * a.normal[0] + d[1] * a.normal[1] + d[2] * a.normal[2];
-      const long double from_q = d[0] * b.normal[0] + d[1] * b.normal[1] + d[2] * b.normal[2];
+      const long double from_p = d[0] * n[0] + d[1] * n[1] + d[2] * n[2];
+      const long double from_q = d[0] * m[0] + d[1] * m[1] + d[2] * m[2];
       least = std::min(least, squared);
       g.values.push_back(-from_p * from_q / (squared * squared));
       largest = std::max(largest, std::abs(g.values.back()));
     }
+  }
   const double distance = std::sqrt(static_cast<double>(least)) * (1 - 0x1p-20);
   const double coordinates = (a.size + b.size) * 2 * long_unit + a.error + b.error;
   const double t = (4 * coordinates / distance + (a.error + b.error) * 4 + 64 * long_unit) * up;
   if (t < 0x1p-20) g.error = 12 * t / (distance * distance) * up;
+  g.largest = static_cast<double>(largest) * up;
+  return g;
+}
+
+KernelValues transposed(const KernelValues& g, std::size_t rows) {
+  KernelValues result{.values = LongMatrix(g.values.size()), .error = g.error, .largest = g.largest};
+  const std::size_t columns = g.values.size() / rows;
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < columns; ++j) result.values[j * rows + i] = g.values[i * columns + j];
+  return result;
+}
+
+/// G J, the columns those of the cluster with the area element J.
+/// Maths     products of numbers that are off by their errors and by their rounding to long double
+KernelValues weighted(KernelValues g, const Nodes& columns) {
+  long double largest = 0;
+  for (std::size_t k = 0; k < g.values.size(); ++k) {
+    g.values[k] *= columns.weight[k % columns.weight.size()];
+    largest = std::max(largest, std::abs(g.values[k]));
+  }
+  const double weight = columns.largest_weight + columns.weight_error;
+  g.error = (g.error * weight + g.largest * (columns.weight_error + 4 * long_unit * weight)) * up;
   g.largest = static_cast<double>(largest) * up;
   return g;
 }
@@ -162,7 +194,7 @@ const DoubledMatrix& values_at_nodes(int coarse, int fine) {
   });
 }
 
-/// The values of G - c at the nodes of degree p', c the coupling of G; rows by node of the first cluster.
+/// The values of h - c at the nodes of degree p', c the coupling of h; rows by node of the first cluster.
 struct Differences {
   std::vector<double> values;
   double largest = 0;
@@ -170,7 +202,7 @@ struct Differences {
 };
 
 /// Maths     the factors W^T D are rounded to long double, c is summed by multiply_column: each value is off
-///           by 32 units of long double of L_p^2 max |G|, and by L_p^2 times what G is off by
+///           by 32 units of long double of L_p^2 max |h|, and by L_p^2 times what h is off by
 Differences differences(const KernelValues& fine, const KernelValues& coarse, int degree, int fine_degree) {
   const std::size_t k = mode_count(degree);
   const std::size_t f = mode_count(fine_degree);
@@ -206,15 +238,7 @@ Differences differences(const KernelValues& fine, const KernelValues& coarse, in
   return result;
 }
 
-/// The same with the two clusters exchanged.
-Differences exchanged(const Differences& e, std::size_t nodes) {
-  Differences result = e;
-  for (std::size_t i = 0; i < nodes; ++i)
-    for (std::size_t j = 0; j < nodes; ++j) result.values[j * nodes + i] = e.values[i * nodes + j];
-  return result;
-}
-
-/// A bound of the largest over x of the root of the mean over y of I_x I_y (G - c)^2, x the variable of the
+/// A bound of the largest over x of the root of the mean over y of I_x I_y (h - c)^2, x the variable of the
 /// rows; see CertifiedLook.
 double measured(const Differences& e, int degree) {
   const ModeInterpolation& interpolation = ModeTables::instance().interpolation(degree);
@@ -300,39 +324,53 @@ std::optional<CertifiedLook::Rest> CertifiedLook::rest(std::size_t a, std::size_
   const ClusterRegion& in_a = outlines_.region(a);
   const ClusterRegion& in_b = outlines_.region(b);
   // Neighbourhoods up to where the kernel may be singular.
-  constexpr std::array<double, 8> parts{0.25, 0.4, 0.52, 0.62, 0.71, 0.79, 0.86, 0.92};
+  constexpr std::array<double, 11> parts{0.1, 0.17, 0.25, 0.33, 0.4, 0.52, 0.62, 0.71, 0.79, 0.86, 0.92};
   struct Bound {
     double g;
-    double of_g;
+    double of_kernel;
+    double weight;
   };
   const auto bounds_of = [&](const ClusterRegion& seen, const ClusterRegion& from) {
-    const double farthest = from.least_distance(seen.centre()) / seen.radius();
-    std::array<Bound, parts.size()> bounds{};
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      const double g = 1 + (farthest - 1) * parts[i];
-      bounds[i] = {g, farthest > 1 ? kernel_bound(seen, from, g) : infinity};
+    std::vector<Bound> bounds;
+    const double farthest = std::min(from.least_distance(seen.centre()) / seen.radius(), seen.limit());
+    for (const double part : parts) {
+      if (!(farthest > 1)) break;
+      const double g = 1 + (farthest - 1) * part;
+      const double bound = kernel_bound(seen, from, g);
+      if (!(bound < infinity)) break;
+      bounds.push_back({g, bound, seen.at(g).weight});
     }
     return bounds;
   };
-  const auto of_a = bounds_of(in_a, in_b);
-  const auto of_b = bounds_of(in_b, in_a);
-  const auto least_of = [](const auto& bounds, int degree) {
-    double found = infinity;
-    for (const Bound& bound : bounds)
-      if (bound.of_g < infinity) found = std::min(found, approximation_bound(bound.of_g, bound.g, degree));
+  const std::vector<Bound> of_a = bounds_of(in_a, in_b);
+  const std::vector<Bound> of_b = bounds_of(in_b, in_a);
+  /// How far G and G J, J the area element of the same cluster, are from polynomials.
+  struct Distance {
+    double of_kernel = infinity;
+    double with_weight = infinity;
+  };
+  const auto least_of = [](const std::vector<Bound>& bounds, int degree) {
+    Distance found;
+    for (const Bound& bound : bounds) {
+      const double distance = approximation_bound(bound.of_kernel, bound.g, degree);
+      found.of_kernel = std::min(found.of_kernel, distance);
+      found.with_weight = std::min(found.with_weight, distance * bound.weight * up);
+    }
     return found;
   };
+  const double weight_a = in_a.at(1).weight;
+  const double weight_b = in_b.at(1).weight;
   // Beyond it Lebesgue constants and work grow faster than the rest falls.
   constexpr int largest_looked = 18;
   // A quarter of the share; the rest is for what is measured.
   constexpr double part = 0.25;
   for (int degree = least; degree <= largest_looked; ++degree) {
     const double constant = interpolation_bounds(degree).exact;
-    const double in_x = least_of(of_a, degree);
-    const double in_y = least_of(of_b, degree);
+    const Distance in_x = least_of(of_a, degree);
+    const Distance in_y = least_of(of_b, degree);
     const Rest found{.degree = degree,
-                     .a = (1 + constant) * (in_x + constant * in_y) * in_b.weight() * up,
-                     .b = (1 + constant) * (in_y + constant * in_x) * in_a.weight() * up};
+                     .a = (1 + constant) * (in_x.of_kernel * weight_b + constant * in_y.with_weight) * up,
+                     .b = (1 + constant) * (in_y.of_kernel * weight_a + constant * in_x.with_weight) * up};
     if (std::max(found.a, found.b) * demand_.functions_size / std::numbers::pi <= part * demand_.share)
       return found;
   }
@@ -345,18 +383,25 @@ std::optional<CouplingDegree> CertifiedLook::operator()(std::size_t a, std::size
   constexpr int least_looked = 2;
   const std::optional<Rest> left = rest(a, b, std::max(least_looked, guess->degree));
   if (!left) return std::nullopt;
-  const KernelValues fine = kernel_values(outlines_.nodes(a, left->degree), outlines_.nodes(b, left->degree));
+  const Nodes& fine_a = outlines_.nodes(a, left->degree);
+  const Nodes& fine_b = outlines_.nodes(b, left->degree);
+  const KernelValues fine = kernel_values(fine_a, fine_b);
+  const KernelValues fine_rows_a = weighted(fine, fine_b);
+  const KernelValues fine_rows_b = weighted(transposed(fine, fine_a.at.size()), fine_a);
   const double factor = demand_.functions_size * std::numbers::inv_pi * up;
   constexpr int more_degrees = 3;
   const int most = std::min({left->degree, demand_.largest_degree, guess->degree + more_degrees});
   for (int degree = guess->degree; degree <= most; ++degree) {
-    const KernelValues coarse = kernel_values(outlines_.nodes(a, degree), outlines_.nodes(b, degree));
-    const Differences rows_a = differences(fine, coarse, degree, left->degree);
+    const Nodes& in_a = outlines_.nodes(a, degree);
+    const Nodes& in_b = outlines_.nodes(b, degree);
+    const KernelValues coarse = kernel_values(in_a, in_b);
+    const Differences rows_a = differences(fine_rows_a, weighted(coarse, in_b), degree, left->degree);
     CouplingDegree found{.degree = degree};
-    found.error_a = factor * (measured(rows_a, left->degree) * outlines_.region(b).weight() + left->a) * up;
+    found.error_a = factor * (measured(rows_a, left->degree) + left->a) * up;
     if (!(found.error_a <= demand_.share)) continue;
-    const Differences rows_b = exchanged(rows_a, mode_count(left->degree));
-    found.error_b = factor * (measured(rows_b, left->degree) * outlines_.region(a).weight() + left->b) * up;
+    const Differences rows_b =
+        differences(fine_rows_b, weighted(transposed(coarse, in_a.at.size()), in_a), degree, left->degree);
+    found.error_b = factor * (measured(rows_b, left->degree) + left->b) * up;
     if (found.error_b <= demand_.share) return found;
   }
   return std::nullopt;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "radcert/core/contract.h"
-#include "radcert/scalar/ball.h"
+#include "radcert/scalar/ball_precision.h"
+#include "radcert/surface/catalogue/ellipsoid.h"
 
 namespace radcert {
 namespace {
@@ -17,11 +17,7 @@ constexpr double down = 1 - 0x1p-40;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Vector<double> middle(const Vector<Ball>& v) { return {v.x.to_double(), v.y.to_double(), v.z.to_double()}; }
-
-/// At least the distance of all points of a ball from a point.
-double largest_distance(const Vector<Ball>& v, const Vector<double>& from) {
-  return norm(Vector<Ball>{v.x - Ball(from.x), v.y - Ball(from.y), v.z - Ball(from.z)}).upper_double();
-}
+Vector<Ball> exactly(const Vector<double>& v) { return {Ball(v.x), Ball(v.y), Ball(v.z)}; }
 
 /// The centre of the least circle about three points, nearly.
 Vector<double> centre_of(const std::array<Vector<double>, 3>& v) {
@@ -38,54 +34,160 @@ Vector<double> centre_of(const std::array<Vector<double>, 3>& v) {
   return v[0] + (1 / (2 * dot(n, n))) * rest;
 }
 
+std::array<ParameterPoint<Ball>, 3> vertices_of(const ParameterTriangle& triangle) {
+  std::array<ParameterPoint<Ball>, 3> v;
+  for (std::size_t i = 0; i < 3; ++i) v[i] = {Ball(triangle.vertices[i].s), Ball(triangle.vertices[i].t)};
+  return v;
+}
+
+Ball area_of(const std::array<ParameterPoint<Ball>, 3>& v) {
+  return abs(cross(v[1] - v[0], v[2] - v[0])) / Ball(2);
+}
+
+/// Of x and x', far from where 1 - x is rounding.
+constexpr double largest_rate = 1 - 0x1p-16;
+
+/// 2 (1-x)^(-1/2) - 2 for 0 <= x < 1, and the same less x, without cancellation.
+double from_first_order(double x) {
+  const double s = std::sqrt(1 - x);
+  return 2 * x / (s * (1 + s)) * up;
+}
+double from_second_order(double x) {
+  const double s = std::sqrt(1 - x);
+  return x * x * (2 + s) / (s * (1 + s) * (1 + s)) * up;
+}
+
 }  // namespace
 
+bool has_cluster_regions(const Chart& chart) {
+  return chart.is_known_in_balls() && (chart.facts().plane.has_value() || octant_axes(chart).has_value());
+}
+
 ClusterRegion::ClusterRegion(const Chart& chart, const ParameterTriangle& triangle) {
-  expects(chart.facts().plane.has_value(), "a plane chart", named("chart", chart.facts().name));
-  std::array<ParameterPoint<Ball>, 3> v;
+  expects(has_cluster_regions(chart), "a plane chart or an octant of an ellipsoid",
+          named("chart", chart.facts().name));
+  const BallPrecision precision(BallPrecision::default_bits);
+  if (const std::optional<Vector<Ball>> axes = octant_axes(chart)) {
+    be_octant(*axes, triangle);
+  } else {
+    be_plane(chart, triangle);
+  }
+}
+
+void ClusterRegion::be_plane(const Chart& chart, const ParameterTriangle& triangle) {
+  const std::array<ParameterPoint<Ball>, 3> v = vertices_of(triangle);
   std::array<Vector<Ball>, 3> corners;
   const ChartIn<Ball>& formula = chart.in<Ball>();
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = formula.frame(v[i]).point;
+  take_corners(corners);
+  const Frame<Ball> frame = formula.frame(v[0]);
+  take_normal(unit_normal(frame));
+  weight_ = (area_of(v) * area_element(frame)).upper_double();
+}
+
+void ClusterRegion::be_octant(const Vector<Ball>& axes, const ParameterTriangle& triangle) {
+  const std::array<ParameterPoint<Ball>, 3> v = vertices_of(triangle);
+  std::array<Vector<Ball>, 3> e;
+  std::array<Vector<double>, 3> rounded;
   for (std::size_t i = 0; i < 3; ++i) {
-    v[i] = {Ball(triangle.vertices[i].s), Ball(triangle.vertices[i].t)};
-    corners[i] = formula.frame(v[i]).point;
+    e[i] = {Ball(1) - v[i].s - v[i].t, v[i].s, v[i].t};
+    rounded[i] = middle(e[i]);
+  }
+  const auto stretched = [&axes](const Vector<Ball>& x) {
+    return Vector<Ball>{axes.x * x.x, axes.y * x.y, axes.z * x.z};
+  };
+  const auto shrunk = [&axes](const Vector<Ball>& x) {
+    return Vector<Ball>{x.x / axes.x, x.y / axes.y, x.z / axes.z};
+  };
+  const Vector<Ball> c = exactly(centre_of(rounded));
+  const Ball length = norm(c);
+  const Vector<Ball> of_normal = shrunk(c);
+  const Ball length_of_normal = norm(of_normal);
+  std::array<Vector<Ball>, 3> corners;
+  Ball radius = 0;
+  Ball radius_of_normal = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vector<Ball> w = e[i] - c;
+    radius = max(radius, norm(w));
+    radius_of_normal = max(radius_of_normal, norm(shrunk(w)));
+    corners[i] = (1 / length) * stretched(c + w - (dot(c, w) / (length * length)) * c);
+  }
+  take_corners(corners);
+  take_normal((Ball(-1) / length_of_normal) * of_normal);
+  rate_ = (radius / length).upper_double();
+  normal_rate_ = (radius_of_normal / length_of_normal).upper_double();
+  size_ = max(abs(axes.x), max(abs(axes.y), abs(axes.z))).upper_double();
+  weight_ = (area_of(v) * abs(axes.x * axes.y * axes.z) * length_of_normal / power(length, 4)).upper_double();
+}
+
+void ClusterRegion::take_corners(const std::array<Vector<Ball>, 3>& corners) {
+  for (std::size_t i = 0; i < 3; ++i) {
     corners_[i] = middle(corners[i]);
-    corner_error_ = std::max(corner_error_, largest_distance(corners[i], corners_[i]));
+    corner_error_ = std::max(corner_error_, norm(corners[i] - exactly(corners_[i])).upper_double());
   }
   centre_ = centre_of(corners_);
-  for (const Vector<Ball>& corner : corners) radius_ = std::max(radius_, largest_distance(corner, centre_));
-  const Frame<Ball> frame = formula.frame(v[0]);
-  unit_normal_ = middle(unit_normal(frame));
-  const Ball area = abs(cross(v[1] - v[0], v[2] - v[0])) / Ball(2);
-  weight_ = (area * norm(frame.area_normal)).upper_double();
+  for (const Vector<double>& corner : corners_)
+    radius_ = std::max(radius_, norm(exactly(corner) - exactly(centre_)).upper_double());
+}
+
+void ClusterRegion::take_normal(const Vector<Ball>& normal) {
+  normal_ = middle(normal);
+  normal_error_ = norm(normal - exactly(normal_)).upper_double();
+}
+
+double ClusterRegion::limit() const {
+  const double fastest = std::max(rate_, normal_rate_);
+  return fastest > 0 ? largest_rate / fastest : infinity;
+}
+
+ClusterRegion::Neighbourhood ClusterRegion::at(double g) const {
+  const double x = rate_ * g * up;
+  const double of_normal = normal_rate_ * g * up;
+  if (!(x < largest_rate && of_normal < largest_rate))
+    return {.g = g, .bend = infinity, .turn = infinity, .weight = infinity};
+  // Lie's norm of an error is at most g times that of the corners.
+  return {.g = g,
+          .bend = (g * corner_error_ + size_ * from_second_order(x)) * up,
+          .turn = (normal_error_ + from_first_order(of_normal)) * up,
+          .weight = weight_ * (1 + of_normal) / std::pow((1 - x) * down, 4) * up};
 }
 
 double ClusterRegion::least_distance(const Vector<double>& from) const {
   const Vector<double> away = centre_ - from;
   const double distance = norm(away);
+  if (!(distance > 0)) return 0;
   double beyond = infinity;
   for (const Vector<double>& corner : corners_)
     beyond = std::min(beyond, dot(corner - from, away) / distance);
-  return std::max(beyond, distance - radius_) - corner_error_ - (distance + radius_) * 0x1p-40;
+  return std::max(beyond, distance - radius_) - at(1).bend - (distance + radius_) * 0x1p-40;
 }
 
 double ClusterRegion::largest_height(const ClusterRegion& above) const {
   double largest = 0;
   double size = 0;
   for (const Vector<double>& corner : corners_) {
-    const Vector<double> d = corner - above.corners_[0];
-    largest = std::max(largest, std::abs(dot(d, above.unit_normal_)));
+    const Vector<double> d = corner - above.centre_;
+    largest = std::max(largest, std::abs(dot(d, above.normal_)));
     size = std::max(size, norm(d));
   }
-  return largest + corner_error_ + above.corner_error_ + size * 0x1p-40;
+  return largest + size * 0x1p-40;
 }
 
 double kernel_bound(const ClusterRegion& seen, const ClusterRegion& from, double g) {
   expects(g >= 1, "1 <= g", named("g", g));
-  const double nearest = (from.least_distance(seen.centre()) - g * seen.radius() * up) * down;
-  if (!(nearest > 0)) return infinity;
-  const double heights = g * seen.largest_height(from) * from.largest_height(seen);
+  const ClusterRegion::Neighbourhood complex = seen.at(g);
+  const ClusterRegion::Neighbourhood real = from.at(1);
+  const double moved = (g * seen.radius() + complex.bend) * up;
+  const double nearest = (from.least_distance(seen.centre()) - moved) * down;
+  if (!(nearest > 0) || !(real.turn < infinity)) return infinity;
+  const double farthest = (norm(seen.centre() - from.centre()) + moved + from.radius() + real.bend) * up;
+  const double bends = (complex.bend + real.bend) * up;
+  const double over_p =
+      g * seen.largest_height(from) + from.largest_height(from) + bends + farthest * real.turn;
+  const double over_q =
+      from.largest_height(seen) + g * seen.largest_height(seen) + bends + farthest * complex.turn;
   const double squared = nearest * nearest;
-  return heights / (squared * squared) * up;
+  return over_p * over_q / (squared * squared) * up;
 }
 
 }  // namespace radcert

@@ -60,13 +60,22 @@ double largest_size(std::span<const double> x) {
   return largest;
 }
 
+/// On curved charts entries take so much longer than couplings that leaves are a level smaller.
+int refinements_of_leaves(const EnclosedClusters::Setting& setting) {
+  const int refinements = leaf_refinements(setting.functions.size());
+  const std::vector<Chart>& charts = setting.surface.charts;
+  const bool is_plane = std::all_of(charts.begin(), charts.end(),
+                                    [](const Chart& chart) { return chart.facts().plane.has_value(); });
+  return is_plane ? refinements : std::max(0, refinements - 1);
+}
+
 }  // namespace
 
 std::optional<std::string> obstacle_to_proved_clusters(const Surface& surface) {
   if (std::optional<std::string> found = obstacle_to_clusters(surface)) return found;
   for (const Chart& chart : surface.charts)
-    if (!chart.facts().plane || !chart.is_known_in_balls())
-      return "the chart " + chart.facts().name + " is not plane";
+    if (!has_cluster_regions(chart))
+      return "the chart " + chart.facts().name + " is neither plane nor an octant of an ellipsoid";
   return std::nullopt;
 }
 
@@ -74,7 +83,7 @@ Outcome<EnclosedClusters> enclosed_clusters(const EnclosedClusters::Setting& set
   const std::optional<std::string> obstacle = obstacle_to_proved_clusters(setting.surface);
   expects(!obstacle, "a surface of analytic charts in balls that hides nothing",
           named("surface", setting.surface.name), named("obstacle", obstacle.value_or("")));
-  const int refinements = setting.refinements.value_or(leaf_refinements(setting.functions.size()));
+  const int refinements = setting.refinements.value_or(refinements_of_leaves(setting));
   const ClusterTree tree = ClusterTree::make(setting.triangulation, setting.level, refinements).value();
   const StepFunctions steps(setting.functions);
   CouplingDemand demand{.share = setting.far.share(tree.levels()),
@@ -97,8 +106,9 @@ Outcome<EnclosedClusters> enclosed_clusters(const EnclosedClusters::Setting& set
   for (std::size_t i = 0; i < unknowns; ++i) result.truncation_.push_back(of_leaves[i / of_leaf] * up);
   for (const std::vector<FarPair>& level : pairs.far) result.far_pairs_ += level.size();
 
-  Outcome<EnclosedNearEntries> near = enclosed_near_entries(
-      setting.surface, setting.triangulation, setting.functions, pairs.near, of_leaf, setting.memory_limit);
+  Outcome<EnclosedNearEntries> near =
+      enclosed_near_entries(setting.surface, setting.triangulation, setting.functions, pairs.near, of_leaf,
+                            setting.near.entry(), setting.memory_limit);
   if (!near) return because(near.reason());
   result.near_ = std::make_unique<const EnclosedNearEntries>(std::move(near).value());
   result.tables_ = std::make_unique<const EnclosedTables>(setting.functions, steps, tree.refinements(),

@@ -14,6 +14,7 @@
 #include "radcert/clusters/cluster_operator.h"
 #include "radcert/core/outcome.h"
 #include "radcert/polynomial/lagrange_functions.h"
+#include "radcert/quadrature/tolerance.h"
 #include "radcert/scalar/bounded_double.h"
 #include "radcert/surface/surface.h"
 #include "radcert/triangulation/triangulation.h"
@@ -21,8 +22,8 @@
 namespace radcert {
 
 /// Why the couplings of a surface's clusters are not proved, if so.
-/// Result    obstacle_to_clusters, or a chart that is not plane: the neighbourhoods of curved clusters, which
-///           the theorem asks for, are not bounded
+/// Result    obstacle_to_clusters, or a chart without has_cluster_regions: what the theorem asks for is not
+///           bounded on complex neighbourhoods
 [[nodiscard]] std::optional<std::string> obstacle_to_proved_clusters(const Surface& surface);
 
 /// The matrix of K P_n at the nodes with the reflectivity 1, by products that enclose.
@@ -45,6 +46,7 @@ public:
     int level;
     const LagrangeFunctions& functions;
     ClusterTolerance far = ClusterTolerance(1e-9);
+    Tolerance near = Tolerance();  ///< of the sum of the near entries' radii in a row, on curved charts
     std::optional<int> refinements = std::nullopt;  ///< as ClusterOperator::Setting
     std::uint64_t memory_limit = static_cast<std::uint64_t>(-1);
   };

@@ -6,11 +6,14 @@
 #include <optional>
 #include <string>
 
+#include "radcert/collocation/certified/certified_chart_entries.h"
 #include "radcert/collocation/certified/exact_nodes.h"
 #include "radcert/collocation/certified/exchanged_corners.h"
+#include "radcert/collocation/certified/lagrange_on_elements.h"
 #include "radcert/collocation/certified/plane_chart.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
+#include "radcert/quadrature/certified/certified_kernel_sums.h"
 
 namespace radcert {
 
@@ -29,9 +32,16 @@ EnclosedNearEntries::EnclosedNearEntries(const std::vector<NearPair>& pairs, std
   }
 }
 
-Outcome<void> EnclosedNearEntries::fill(const std::vector<PlaneChart>& planes,
-                                        const Triangulation& triangulation,
-                                        const LagrangeFunctions& functions) {
+std::size_t EnclosedNearEntries::block(std::size_t target, std::size_t source) const {
+  const auto list = sources_.begin() + static_cast<std::ptrdiff_t>(first_[target]);
+  const auto list_end = sources_.begin() + static_cast<std::ptrdiff_t>(first_[target + 1]);
+  const auto number = std::lower_bound(list, list_end, source) - sources_.begin();
+  return static_cast<std::size_t>(number) * unknowns_ * unknowns_;
+}
+
+Outcome<void> EnclosedNearEntries::fill_on_planes(const std::vector<PlaneChart>& planes,
+                                                  const Triangulation& triangulation,
+                                                  const LagrangeFunctions& functions) {
   const std::size_t p = functions.size();
   std::vector<ExactTriangle> triangles;
   std::vector<bool> reversed;
@@ -65,12 +75,8 @@ Outcome<void> EnclosedNearEntries::fill(const std::vector<PlaneChart>& planes,
         const std::size_t k = source * elements + e;
         const PlaneElement element = plane_element(triangles[k], exact->scale, polynomials);
         for (std::size_t s = first_[source]; s < first_[source + 1]; ++s) {
-          // Nearness is mutual, so that the source stands in the target's list.
           const std::size_t target = sources_[s];
-          const auto list = sources_.begin() + static_cast<std::ptrdiff_t>(first_[target]);
-          const auto list_end = sources_.begin() + static_cast<std::ptrdiff_t>(first_[target + 1]);
-          const auto number =
-              static_cast<std::size_t>(std::lower_bound(list, list_end, source) - sources_.begin());
+          const std::size_t entries = block(target, source);
           for (std::size_t i = 0; i < unknowns_; ++i) {
             const std::size_t of_row = target * elements + i / p;
             const ExactNode& node = exact->nodes[of_row * p + place(of_row, i % p)];
@@ -78,7 +84,7 @@ Outcome<void> EnclosedNearEntries::fill(const std::vector<PlaneChart>& planes,
             const double error = errors->bound(values);
             for (std::size_t j = 0; j < p; ++j) {
               const Approximation entry = certified_entry(1, values[place(k, j)], error);
-              const std::size_t at = (number * unknowns_ + e * p + j) * unknowns_ + i;
+              const std::size_t at = entries + (e * p + j) * unknowns_ + i;
               entries_[at] = entry.value;
               radii_[at] = entry.radius;
             }
@@ -86,6 +92,43 @@ Outcome<void> EnclosedNearEntries::fill(const std::vector<PlaneChart>& planes,
         }
       }
   });
+  return {};
+}
+
+Outcome<void> EnclosedNearEntries::fill_on_charts(const Surface& surface, const Triangulation& triangulation,
+                                                  const LagrangeFunctions& functions, double demand) {
+  const std::size_t p = functions.size();
+  const LagrangeOnElements on_elements(functions);
+  const std::vector<SurfacePoint<Rational>> nodes = exact_collocation_nodes(triangulation, functions);
+  const CertifiedKernelSums sums(surface, triangulation, on_elements, nodes, demand);
+  const std::size_t elements = unknowns_ / p;
+  std::vector<Outcome<void>> found(leaves_);
+  parallel_for(leaves_, 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t source = begin; source < end; ++source) {
+      std::vector<std::uint32_t> points;
+      for (std::size_t s = first_[source]; s < first_[source + 1]; ++s)
+        for (std::size_t i = 0; i < unknowns_; ++i)
+          points.push_back(static_cast<std::uint32_t>(sources_[s] * unknowns_ + i));
+      std::vector<double> values(points.size() * p);
+      std::vector<double> radius(values.size());
+      for (std::size_t e = 0; e < elements && found[source]; ++e) {
+        found[source] = sums.element(source * elements + e, points, values, radius);
+        for (std::size_t j = 0; j < p; ++j)
+          for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::size_t from = j * points.size() + i;
+            const Approximation entry = certified_entry(1, values[from], radius[from]);
+            const std::size_t at =
+                block(points[i] / unknowns_, source) + (e * p + j) * unknowns_ + i % unknowns_;
+            entries_[at] = entry.value;
+            radii_[at] = entry.radius;
+          }
+      }
+    }
+  });
+  for (const Outcome<void>& of_leaf : found)
+    if (!of_leaf) return because(of_leaf.reason());
+  if (!std::all_of(radii_.begin(), radii_.end(), [](double radius) { return std::isfinite(radius); }))
+    return because("an entry near the diagonal is not enclosed in double");
   return {};
 }
 
@@ -115,7 +158,8 @@ void EnclosedNearEntries::count(MemoryPlan& plan) const {
 Outcome<EnclosedNearEntries> enclosed_near_entries(const Surface& surface, const Triangulation& triangulation,
                                                    const LagrangeFunctions& functions,
                                                    const std::vector<NearPair>& pairs,
-                                                   std::size_t unknowns_of_leaf, std::uint64_t memory_limit) {
+                                                   std::size_t unknowns_of_leaf, double demand,
+                                                   std::uint64_t memory_limit) {
   const std::size_t unknowns = triangulation.triangles.size() * functions.size();
   EnclosedNearEntries result(pairs, unknowns / unknowns_of_leaf, unknowns_of_leaf);
   MemoryPlan plan;
@@ -127,10 +171,11 @@ Outcome<EnclosedNearEntries> enclosed_near_entries(const Surface& surface, const
   std::vector<PlaneChart> planes;
   for (std::size_t j = 0; j < surface.chart_count(); ++j) {
     std::optional<PlaneChart> plane = plane_chart(surface, j);
-    if (!plane) return because("the chart " + surface.charts[j].facts().name + " is not plane");
-    planes.push_back(*std::move(plane));
+    if (plane) planes.push_back(*std::move(plane));
   }
-  const Outcome<void> filled = result.fill(planes, triangulation, functions);
+  const Outcome<void> filled = planes.size() == surface.chart_count()
+                                   ? result.fill_on_planes(planes, triangulation, functions)
+                                   : result.fill_on_charts(surface, triangulation, functions, demand);
   if (!filled) return because(filled.reason());
   return result;
 }

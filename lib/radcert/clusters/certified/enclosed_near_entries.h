@@ -21,7 +21,7 @@ namespace radcert {
 /// reflectivity 1.
 /// Maths     |entry(i, k p + j) - 1/pi Int_{Delta_k} G(v_i,Q) l_j(Q) dS_Q| <= its radius, for v_i and Delta_k
 ///           in near leaves
-/// Source    PlaneElement, as certified_entries
+/// Source    PlaneElement, as certified_entries, where all charts are plane, else CertifiedKernelSums
 /// Result    made by enclosed_near_entries: a dense block a pair of leaves. Products with running errors; the
 ///           same bits for any number of threads
 class EnclosedNearEntries {
@@ -36,11 +36,19 @@ public:
   void count(MemoryPlan& plan) const;
 
 private:
-  friend Outcome<EnclosedNearEntries> enclosed_near_entries(
-      const Surface& surface, const Triangulation& triangulation, const LagrangeFunctions& functions,
-      const std::vector<NearPair>& pairs, std::size_t unknowns_of_leaf, std::uint64_t memory_limit);
-  Outcome<void> fill(const std::vector<PlaneChart>& planes, const Triangulation& triangulation,
-                     const LagrangeFunctions& functions);
+  friend Outcome<EnclosedNearEntries> enclosed_near_entries(const Surface& surface,
+                                                            const Triangulation& triangulation,
+                                                            const LagrangeFunctions& functions,
+                                                            const std::vector<NearPair>& pairs,
+                                                            std::size_t unknowns_of_leaf, double demand,
+                                                            std::uint64_t memory_limit);
+  Outcome<void> fill_on_planes(const std::vector<PlaneChart>& planes, const Triangulation& triangulation,
+                               const LagrangeFunctions& functions);
+  Outcome<void> fill_on_charts(const Surface& surface, const Triangulation& triangulation,
+                               const LagrangeFunctions& functions, double demand);
+  /// The place of the first entry of a block. Nearness is mutual, so that each of two near leaves stands in
+  /// the list of the other.
+  [[nodiscard]] std::size_t block(std::size_t target, std::size_t source) const;
 
   std::size_t leaves_;
   std::size_t unknowns_;
@@ -52,14 +60,15 @@ private:
 
 /// Integrates the entries.
 /// Requires  an unoccluded surface, its uniform triangulation, near pairs of leaves of so many unknowns;
-///           functions of degree at most 8
-/// Result    radii as those of certified_entries. Refused in words where an entry is not enclosed: a chart
-///           that is not plane, see exact_nodes and IntegralErrors; a chart against the cross product with
-///           functions that are not symmetric. InputError where more memory would be taken than the limit;
-///           Interrupted when asked to stop
+///           functions of degree at most 8; 0 < demand
+/// Result    where all charts are plane, radii as those of certified_entries; else radii of which those of a
+///           row sum up to about the demand, or what roundings in double make wider. Refused in words where
+///           an entry is not enclosed: see exact_nodes, IntegralErrors and CertifiedKernelSums; a plane chart
+///           against the cross product with functions that are not symmetric. InputError where more memory
+///           would be taken than the limit; Interrupted when asked to stop
 [[nodiscard]] Outcome<EnclosedNearEntries> enclosed_near_entries(
     const Surface& surface, const Triangulation& triangulation, const LagrangeFunctions& functions,
-    const std::vector<NearPair>& pairs, std::size_t unknowns_of_leaf,
+    const std::vector<NearPair>& pairs, std::size_t unknowns_of_leaf, double demand,
     std::uint64_t memory_limit = static_cast<std::uint64_t>(-1));
 
 }  // namespace radcert

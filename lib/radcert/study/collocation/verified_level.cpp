@@ -507,6 +507,7 @@ private:
                            .level = outcome_.result.level,
                            .functions = functions_,
                            .far = ClusterTolerance(far),
+                           .near = near,
                            .memory_limit = available_memory()});
     if (!clusters) refuse("the entries of the collocation matrix are not enclosed: " + clusters.reason());
     const std::vector<double> ones(n, 1.0);

@@ -51,6 +51,15 @@ Surface ellipsoid(const Rational& a, const Rational& b, const Rational& c) {
   return surface;
 }
 
+std::optional<Vector<Ball>> octant_axes(const Chart& chart) {
+  if (!chart.is_known_in_balls()) return std::nullopt;
+  const ChartIn<Ball>& formula = chart.in<Ball>();
+  using Octants = BallsWithImage<EllipsoidOctant, Rational, Rational, Rational, Octant>;
+  if (dynamic_cast<const Octants*>(&formula) == nullptr) return std::nullopt;
+  return Vector<Ball>{formula.frame({0, 0}).point.x, formula.frame({1, 0}).point.y,
+                      formula.frame({0, 1}).point.z};
+}
+
 Surface sphere() {
   Surface surface;
   surface.name = "sphere";

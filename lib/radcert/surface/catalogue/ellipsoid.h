@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "radcert/geometry/vector.h"
 #include "radcert/surface/surface.h"
@@ -48,6 +49,11 @@ private:
 /// Requires  a, b, c > 0, else ContractViolation
 /// Result    one smooth piece `ellipsoid`, inner normals
 Surface ellipsoid(const Rational& a, const Rational& b, const Rational& c);
+
+/// The half axes of a chart that is such an octant, with their signs.
+/// Maths     F(s,t) = diag(x,y,z) e/|e|, e = (1-s-t, s, t)
+/// Result    enclosed; nothing for a chart whose formula in balls is not EllipsoidOctant
+std::optional<Vector<Ball>> octant_axes(const Chart& chart);
 
 /// The unit sphere, by the same eight charts.
 /// Maths     x^2 + y^2 + z^2 = 1
