@@ -96,9 +96,13 @@ private:
   Pack(const Half& low, const Half& high) : low_(low), high_(high) {}
 
   static Half fused(const Half& a, const Half& b, const Half& c) {
+#if defined(__FMA__) && defined(__GNUC__) && !defined(__clang__)
+    return __builtin_ia32_vfmaddpd256(a, b, c);  // lane by lane some loops would be taken apart
+#else
     Half r;
     for (std::size_t i = 0; i < half; ++i) r[i] = __builtin_fma(a[i], b[i], c[i]);
     return r;
+#endif
   }
   static Half root(const Half& a) {
 #if defined(__AVX__) && defined(__GNUC__) && !defined(__clang__)

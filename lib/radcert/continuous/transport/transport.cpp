@@ -286,34 +286,52 @@ private:
     }
     const std::size_t nodes = x_.size();
     weights_.resize(nodes * stride_);  // the new ones are 0
-    kernel_.resize(nodes);
-    const Vector<double>& n = scene_.normal(panel_);
-    const Vector<Pack> minus_n{-n.x, -n.y, -n.z};
-    for (std::size_t p = ranges_[r].begin; p < ranges_[r].end; ++p) {
-      const Vector<Pack> at{points_[p].x, points_[p].y, points_[p].z};
-      for (std::size_t i = 0; i < nodes; i += Pack::lanes) {
-        const Vector<Pack> difference{at.x - Pack::load(&x_[i]), at.y - Pack::load(&y_[i]),
-                                      at.z - Pack::load(&z_[i])};
-        const Pack inverse = reciprocal(fused_dot(difference, difference));
-        (fused_dot(difference, minus_n) * (inverse * inverse)).store(&kernel_[i]);
-      }
-      const Pack height(heights_[p]);
-      for (std::size_t lane = 0; lane < stride_; lane += Pack::lanes) {
-        Pack even(0.0);
-        Pack odd(0.0);
-        const double* weights = weights_.data() + lane;
-        for (std::size_t i = 0; i < nodes; i += 2) {
-          even = fma(Pack(kernel_[i]), Pack::load(weights + i * stride_), even);
-          odd = fma(Pack(kernel_[i + 1]), Pack::load(weights + (i + 1) * stride_), odd);
-        }
-        double* const sum = &values_[p * stride_ + lane];
-        fma(height, even + odd, Pack::load(sum)).store(sum);
-      }
-    }
+    std::size_t p = ranges_[r].begin;
+    for (; p + 2 <= ranges_[r].end; p += 2) sum_for<2>(p);
+    if (p < ranges_[r].end) sum_for<1>(p);
     x_.clear();
     y_.clear();
     z_.clear();
     weights_.clear();
+  }
+
+  /// Over the nodes at hand for so many points, the first of them named: they share what is read.
+  template <std::size_t points>
+  void sum_for(std::size_t first) {
+    const std::size_t nodes = x_.size();
+    kernel_.resize(points * nodes);
+    const Vector<double>& n = scene_.normal(panel_);
+    const Vector<Pack> minus_n{-n.x, -n.y, -n.z};
+    for (std::size_t q = 0; q < points; ++q) {
+      const Vector<double>& p = points_[first + q];
+      const Vector<Pack> at{p.x, p.y, p.z};
+      double* const kernel = &kernel_[q * nodes];
+      for (std::size_t i = 0; i < nodes; i += Pack::lanes) {
+        const Vector<Pack> difference{at.x - Pack::load(&x_[i]), at.y - Pack::load(&y_[i]),
+                                      at.z - Pack::load(&z_[i])};
+        const Pack inverse = reciprocal(fused_dot(difference, difference));
+        (fused_dot(difference, minus_n) * (inverse * inverse)).store(kernel + i);
+      }
+    }
+    for (std::size_t lane = 0; lane < stride_; lane += Pack::lanes) {
+      std::array<Pack, points> even;
+      std::array<Pack, points> odd;
+      even.fill(Pack(0.0));
+      odd.fill(Pack(0.0));
+      const double* weights = weights_.data() + lane;
+      for (std::size_t i = 0; i < nodes; i += 2) {
+        const Pack weight = Pack::load(weights + i * stride_);
+        const Pack next = Pack::load(weights + (i + 1) * stride_);
+        for (std::size_t q = 0; q < points; ++q) {
+          even[q] = fma(Pack(kernel_[q * nodes + i]), weight, even[q]);
+          odd[q] = fma(Pack(kernel_[q * nodes + i + 1]), next, odd[q]);
+        }
+      }
+      for (std::size_t q = 0; q < points; ++q) {
+        double* const sum = &values_[(first + q) * stride_ + lane];
+        fma(Pack(heights_[first + q]), even[q] + odd[q], Pack::load(sum)).store(sum);
+      }
+    }
   }
 
   const Transport& transport_;
