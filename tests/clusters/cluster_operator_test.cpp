@@ -169,15 +169,17 @@ TEST(ClusterOperator, CountsWhatCouplingsLeaveOutAndRound) {
 
 TEST(ClusterOperator, AgreesWithTheDenseMatrixForEveryDegree) {
   // Leaves of one element, so that small problems have couplings.
-  for (int degree = 0; degree <= 8; ++degree) {
+  for (int degree = 0; degree <= 5; ++degree) {
     const int level = degree == 0 ? 3 : 2;
     const double tolerance = degree == 0 ? 1e-8 : degree <= 4 ? 1e-4 : 1e-3;
-    // No small problem of a degree above 6 has couplings on the ellipsoid.
-    const bool is_curved = degree % 2 == 1 && degree <= 6;
+    const bool is_curved = degree % 2 == 1;
     const Surface surface = is_curved ? ellipsoid(1, Rational(3, 2), 2) : cube();
     expect_agreement(Discretisation(surface, level, degree), tolerance, 0);
   }
-  for (const int degree : {9, 10}) expect_agreement(Discretisation(two_squares(), 2, degree), 1e-3, 0);
+  // No small problem of a degree above 6 has couplings on the ellipsoid, and dense matrices of these on the
+  // cube have thousands of rows.
+  for (int degree = 6; degree <= 10; ++degree)
+    expect_agreement(Discretisation(two_squares(), 2, degree), 1e-3, 0);
 }
 
 TEST(ClusterOperator, AgreesWithTheDenseMatrixOnEverySurfaceOfAnalyticCharts) {
