@@ -101,6 +101,7 @@ double relative_distance(const Place& of, const Place& from_centre_of) {
 double largest_coordinate(const Vector<double>& p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
+Pack largest_coordinate(const Vector<Pack>& p) { return max(max(abs(p.x), abs(p.y)), abs(p.z)); }
 
 /// A plane element, with what rounded corners may add to what it exchanges with another.
 /// Maths     A F is the flux through the contour. A corner that is off by delta moves it by a strip of an
@@ -157,23 +158,23 @@ Contact contact_of(const Place& first, const Place& second) {
   return contact;
 }
 
-/// A point of an element with all that the kernel takes there.
+/// A point of an element, or several in a pack, with all that the kernel takes there.
+template <Real R>
 struct SurfaceSample {
-  ParameterPoint<double> at;
-  Vector<double> point;
-  Vector<double> normal;  ///< of unit length
-  double area = 0;        ///< that of the parameter triangle times two times the area element
+  ParameterPoint<R> at;
+  Vector<R> point;
+  Vector<R> normal;  ///< of unit length
+  R area;            ///< that of the parameter triangle times two times the area element
 };
 
-SurfaceSample sample_at(const Surface& surface, const ParameterTriangle& element,
-                        const Barycentric<double>& x) {
-  const ParameterPoint<double> at = element.at(x.x);
-  const Frame<double> frame = surface.charts[element.chart].in<double>().frame(at);
-  const double area = area_element(frame);
+template <Real R>
+SurfaceSample<R> sample_at(const ChartIn<R>& chart, double doubled_area, const ParameterPoint<R>& at) {
+  const Frame<R> frame = chart.frame(at);
+  const R area = area_element(frame);
   return {.at = at,
           .point = frame.point,
-          .normal = (1 / area) * frame.area_normal,
-          .area = element.doubled_area() * area};
+          .normal = (R(1) / area) * frame.area_normal,
+          .area = R(doubled_area) * area};
 }
 
 /// The points of a rule on a triangle in an element as structure of arrays, padded to whole packs with points
@@ -202,10 +203,12 @@ RulePoints rule_points(const Surface& surface, const ParameterTriangle& element,
     array->assign(room, 0.0);
   out.functions = Matrix<double>(room, basis.size());
   std::vector<double> values(basis.size());
+  const ChartIn<double>& chart = surface.charts[element.chart].in<double>();
+  const double doubled_area = element.doubled_area();
   for (std::size_t q = 0; q < room; ++q) {
     const std::size_t from = std::min(q, out.count - 1);
     const Barycentric<double> x = inside(triangle, rule.points[from]);
-    const SurfaceSample sample = sample_at(surface, element, x);
+    const SurfaceSample<double> sample = sample_at(chart, doubled_area, element.at(x.x));
     out.x[q] = sample.point.x;
     out.y[q] = sample.point.y;
     out.z[q] = sample.point.z;
@@ -386,7 +389,10 @@ private:
     const std::size_t p = functions_.functions();
     const ParameterTriangle& a = triangulation_.triangles[first];
     const ParameterTriangle& b = triangulation_.triangles[second];
-    const ChartIn<double>& chart = surface_.charts[a.chart].in<double>();
+    const ChartIn<Pack>& chart = surface_.charts[a.chart].in<Pack>();
+    const ChartIn<Pack>& other = surface_.charts[b.chart].in<Pack>();
+    const double area = a.doubled_area();
+    const double other_area = b.doubled_area();
     const auto placed = [](const Barycentric<double>& x, const std::array<std::size_t, 3>& places) {
       Barycentric<double> at{{0, 0, 0}};
       for (std::size_t i = 0; i < 3; ++i) at.x[places[i]] = x.x[i];
@@ -398,34 +404,53 @@ private:
     RawBlock part(p);
     std::vector<double> of_first(p);
     std::vector<double> of_second(p);
+    std::array<Barycentric<double>, lanes> x;
+    std::array<Barycentric<double>, lanes> y;
     const std::vector<PointPair>& pairs = rule(contact.common, stage);
-    for (std::size_t q = 0; q < pairs.size(); ++q) {
-      const PointPair& pair = pairs[q];
-      const Barycentric<double> x = placed(pair.first, contact.first);
-      const Barycentric<double> y = placed(pair.second, contact.second);
-      const SurfaceSample at = sample_at(surface_, a, x);
-      const SurfaceSample there = sample_at(surface_, b, y);
-      RoundedKernel<double> g{0, 0};
+    for (std::size_t first_pair = 0; first_pair < pairs.size(); first_pair += lanes) {
+      ParameterPoint<Pack> at_x;
+      ParameterPoint<Pack> at_y;
+      Pack weights;
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const PointPair& pair = pairs[std::min(first_pair + lane, pairs.size() - 1)];
+        x[lane] = placed(pair.first, contact.first);
+        y[lane] = placed(pair.second, contact.second);
+        const ParameterPoint<double> own_x = a.at(x[lane].x);
+        const ParameterPoint<double> own_y = b.at(y[lane].x);
+        at_x.s.set_lane(lane, own_x.s);
+        at_x.t.set_lane(lane, own_x.t);
+        at_y.s.set_lane(lane, own_y.s);
+        at_y.t.set_lane(lane, own_y.t);
+        weights.set_lane(lane, pair.weight);
+      }
+      const SurfaceSample<Pack> at = sample_at(chart, area, at_x);
+      const SurfaceSample<Pack> there = sample_at(other, other_area, at_y);
+      RoundedKernel<Pack> g{Pack(0), Pack(0)};
       if (a.chart == b.chart) {
-        g = rounded_kernel<double>(chart.chord(at.at, there.at - at.at), at.normal, there.normal);
+        g = rounded_kernel<Pack>(chart.chord(at.at, there.at - at.at), at.normal, there.normal);
       } else {
-        const double extent = std::max(largest_coordinate(at.point), largest_coordinate(there.point));
-        g = rounded_kernel<double>(at.point - there.point, -at.normal, there.normal, extent,
-                                   blur_per_extent * extent);
+        const Pack extent = max(largest_coordinate(at.point), largest_coordinate(there.point));
+        g = rounded_kernel<Pack>(at.point - there.point, -at.normal, there.normal, extent,
+                                 Pack(blur_per_extent) * extent);
       }
-      const double weight = pair.weight * at.area * there.area;
-      functions_.basis().values(x, of_first);
-      functions_.basis().values(y, of_second);
-      const double value = weight * g.value;
-      for (std::size_t d = 0; d < p; ++d) {
-        const double with = value * of_second[d];
-        for (std::size_t c = 0; c < p; ++c) part.value(c, d) += with * of_first[c];
+      weights = weights * at.area * there.area;
+      const Pack values = weights * g.value;
+      const Pack leans = weights * g.lean;
+      for (std::size_t q = first_pair; q < std::min(first_pair + lanes, pairs.size()); ++q) {
+        const std::size_t lane = q - first_pair;
+        functions_.basis().values(x[lane], of_first);
+        functions_.basis().values(y[lane], of_second);
+        const double value = values.lane(lane);
+        for (std::size_t d = 0; d < p; ++d) {
+          const double with = value * of_second[d];
+          for (std::size_t c = 0; c < p; ++c) part.value(c, d) += with * of_first[c];
+        }
+        out.size += std::abs(value);
+        out.rounding += leans.lane(lane);
+        if ((q + 1) % chunk != 0 && q + 1 != pairs.size()) continue;
+        for (std::size_t c = 0; c < p; ++c)
+          for (std::size_t d = 0; d < p; ++d) out.value(c, d) += std::exchange(part.value(c, d), 0.0);
       }
-      out.size += std::abs(value);
-      out.rounding += weight * g.lean;
-      if ((q + 1) % chunk != 0 && q + 1 != pairs.size()) continue;
-      for (std::size_t c = 0; c < p; ++c)
-        for (std::size_t d = 0; d < p; ++d) out.value(c, d) += std::exchange(part.value(c, d), 0.0);
     }
     out.length = chunk + pairs.size() / chunk + 1;
     return out;
