@@ -189,8 +189,7 @@ struct RulePoints {
 };
 
 RulePoints rule_points(const Surface& surface, const ParameterTriangle& element, const Triangle& triangle,
-                       const TriangleBasis<double>& basis, int order) {
-  const TriangleRule<double> rule = conical_rule<double>(order, Grading::none);
+                       const TriangleBasis<double>& basis, const TriangleRule<double>& rule) {
   const double share = std::abs(
       triangle[0].x[0] * (triangle[1].x[1] * triangle[2].x[2] - triangle[1].x[2] * triangle[2].x[1]) -
       triangle[0].x[1] * (triangle[1].x[0] * triangle[2].x[2] - triangle[1].x[2] * triangle[2].x[0]) +
@@ -489,8 +488,9 @@ private:
 
   const RulePoints& points(const Part& part, std::size_t index, std::optional<RulePoints>& own) const {
     const auto make = [&] {
-      return rule_points(surface_, triangulation_.triangles[part.element], part.triangle, functions_.basis(),
-                         orders[index]);
+      return rule_points(
+          surface_, triangulation_.triangles[part.element], part.triangle, functions_.basis(),
+          conical_.at(index, [&] { return conical_rule<double>(orders[index], Grading::none); }));
     };
     if (part.is_whole && index < most_kept) return kept_[part.element].at(index, make);
     own.emplace(make());
@@ -583,6 +583,7 @@ private:
   std::vector<std::size_t> plane_of_;  ///< by chart: the first chart in the same plane
   std::vector<Facet> facets_;          ///< of plane elements
   mutable std::vector<LazyTable<RulePoints, most_kept>> kept_;
+  mutable LazyTable<TriangleRule<double>, orders.size()> conical_;
   mutable LazyTable<std::vector<PointPair>, 3 * rules_of_a_contact> rules_;
 };
 
