@@ -78,28 +78,36 @@ public:
       : sight_(&sight), screen_(&sight.screens_[screen]), face_(face) {}
 
   void put(std::size_t triangle, double s, double t) {
-    const Signs& over = sight_->over(face_, screen_->face);
-    Between d = height_at(sight_->scene_.heights(triangle, screen_->face), s, t);
-    if (over.least < 0) d = {-d.largest, -d.least};
-    from_plane.push_back({std::max(0.0, d.least), std::max(0.0, d.largest)});
-    for (std::size_t e = 0; e < screen_->sides; ++e) {
-      Between g = height_at(screen_->beyond[triangle * screen_->sides + e], s, t);
-      const Signs& signs = screen_->signs[face_ * screen_->sides + e];
-      if (signs.least >= 0) g.least = std::max(g.least, 0.0);
-      if (signs.largest <= 0) g.largest = std::min(g.largest, 0.0);
-      beyond.push_back(g);
-    }
+    from_plane.emplace_back();
+    beyond.resize(beyond.size() + screen_->sides);
+    put(from_plane.size() - 1, triangle, s, t);
   }
   void put(std::size_t triangle, const Box& box) {
-    from_plane.clear();
-    beyond.clear();
-    for (const auto& [s, t] : corner_parameters(box)) put(triangle, s, t);
+    const auto corners = corner_parameters(box);
+    from_plane.resize(corners.size());
+    beyond.resize(corners.size() * screen_->sides);
+    for (std::size_t p = 0; p < corners.size(); ++p) put(p, triangle, corners[p].first, corners[p].second);
   }
 
   std::vector<Between> from_plane;
   std::vector<Between> beyond;  ///< by point, side
 
 private:
+  void put(std::size_t point, std::size_t triangle, double s, double t) {
+    const Signs& over = sight_->over(face_, screen_->face);
+    const std::size_t sides = screen_->sides;
+    Between d = height_at(sight_->scene_.heights(triangle, screen_->face), s, t);
+    if (over.least < 0) d = {-d.largest, -d.least};
+    from_plane[point] = {std::max(0.0, d.least), std::max(0.0, d.largest)};
+    for (std::size_t e = 0; e < sides; ++e) {
+      Between g = height_at(screen_->beyond[triangle * sides + e], s, t);
+      const Signs& signs = screen_->signs[face_ * sides + e];
+      if (signs.least >= 0) g.least = std::max(g.least, 0.0);
+      if (signs.largest <= 0) g.largest = std::min(g.largest, 0.0);
+      beyond[point * sides + e] = g;
+    }
+  }
+
   const Sight* sight_;
   const Screen* screen_;
   std::size_t face_;
@@ -228,25 +236,24 @@ public:
 
   /// What is hidden of a part from all points of the box.
   [[nodiscard]] Hides at(std::size_t triangle, const Box& part) {
-    for (std::size_t k = 0; k < to_.size(); ++k) to_[k].put(triangle, part);
-    return hidden();
+    return hidden([&](std::size_t k, std::size_t) { to_[k].put(triangle, part); });
   }
   [[nodiscard]] Hides at_face(std::size_t face) {
-    std::size_t k = 0;
-    for (const std::vector<std::size_t>* screens : {&pair_.before, &pair_.behind})
-      for (const std::size_t s : *screens) to_[k++] = sight_.corners_of_face(s, face);
-    return hidden();
+    return hidden([&](std::size_t k, std::size_t screen) { to_[k] = sight_.corners_of_face(screen, face); });
   }
 
 private:
-  [[nodiscard]] Hides hidden() const {
+  /// Puts what is looked at for a screen where that is asked for.
+  template <class Put>
+  [[nodiscard]] Hides hidden(const Put& put) {
     Hides out = Hides::nothing;
     for (std::size_t k = 0; k < to_.size(); ++k) {
       const bool is_before = k < pair_.before.size();
       // Those behind alone matter where they hide all.
       if (k == pair_.before.size() && out == Hides::nothing) return out;
-      const Hides own =
-          sight_.hides(is_before ? pair_.before[k] : pair_.behind[k - pair_.before.size()], from_[k], to_[k]);
+      const std::size_t screen = is_before ? pair_.before[k] : pair_.behind[k - pair_.before.size()];
+      put(k, screen);
+      const Hides own = sight_.hides(screen, from_[k], to_[k]);
       if (own == Hides::all) return own;
       if (is_before && own == Hides::something) out = own;
     }
