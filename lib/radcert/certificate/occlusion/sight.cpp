@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -17,28 +18,16 @@ const WorkLimit most_seen_parts("certificate/sight: parts of faces that are seen
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// A number that is enclosed.
 struct Between {
   double least = 0;
   double largest = 0;
 };
 
-/// More than the rounding of a product or a sum r; products may lose what is below the normal numbers.
+/// More than the rounding of a quotient or a sum r; quotients may lose what is below the normal numbers.
 double rounding(double r) { return std::abs(r) * 0x1p-52 + 1e-290; }
-
-/// x y from below and above, x >= 0; exactly 0 where a factor is.
-double product_below(const Between& x, double y) {
-  const double factor = y >= 0 ? x.least : x.largest;
-  if (factor == 0 || y == 0) return 0;
-  const double r = factor * y;
-  return r - rounding(r);
-}
-double product_above(const Between& x, double y) {
-  const double factor = y >= 0 ? x.largest : x.least;
-  if (factor == 0 || y == 0) return 0;
-  const double r = factor * y;
-  return r + rounding(r);
-}
 
 /// A sum that is exact where a term is 0.
 double sum_below(double a, double b) {
@@ -48,6 +37,15 @@ double sum_below(double a, double b) {
   return r - rounding(r);
 }
 double sum_above(double a, double b) { return -sum_below(-a, -b); }
+
+/// g/d from below, d >= 0, exactly 0 where g is; where d = 0 that of what is next to it.
+double quotient_below(double g, double d) {
+  if (d == 0) return g >= 0 ? infinity : -infinity;
+  if (g == 0) return 0;
+  const double r = g / d;
+  if (std::isinf(r)) return r > 0 ? std::numeric_limits<double>::max() : r;
+  return r - rounding(r);
+}
 
 /// A height at exact parameters; exactly 0 where its terms are.
 Between height_at(const Scene::Heights& heights, double s, double t) {
@@ -78,19 +76,40 @@ public:
       : sight_(&sight), screen_(&sight.screens_[screen]), face_(face) {}
 
   void put(std::size_t triangle, double s, double t) {
-    from_plane.emplace_back();
-    beyond.resize(beyond.size() + screen_->sides);
-    put(from_plane.size() - 1, triangle, s, t);
+    from_plane_.emplace_back();
+    beyond_.resize(beyond_.size() + screen_->sides);
+    put(from_plane_.size() - 1, triangle, s, t);
   }
   void put(std::size_t triangle, const Box& box) {
     const auto corners = corner_parameters(box);
-    from_plane.resize(corners.size());
-    beyond.resize(corners.size() * screen_->sides);
+    from_plane_.resize(corners.size());
+    beyond_.resize(corners.size() * screen_->sides);
     for (std::size_t p = 0; p < corners.size(); ++p) put(p, triangle, corners[p].first, corners[p].second);
   }
 
-  std::vector<Between> from_plane;
-  std::vector<Between> beyond;  ///< by point, side
+  /// At most g_e/|d| at any of the points, and at least.
+  [[nodiscard]] double least_slope(std::size_t side) const {
+    double least = infinity;
+    for (std::size_t p = 0; p < from_plane_.size(); ++p) {
+      const double g = beyond_[p * screen_->sides + side].least;
+      least = std::min(least, quotient_below(g, g >= 0 ? from_plane_[p].largest : from_plane_[p].least));
+    }
+    return least;
+  }
+  [[nodiscard]] double largest_slope(std::size_t side) const {
+    double least = infinity;
+    for (std::size_t p = 0; p < from_plane_.size(); ++p) {
+      const double g = -beyond_[p * screen_->sides + side].largest;
+      least = std::min(least, quotient_below(g, g >= 0 ? from_plane_[p].largest : from_plane_[p].least));
+    }
+    return -least;
+  }
+  /// Both for each side.
+  [[nodiscard]] std::vector<Slopes> slopes() const {
+    std::vector<Slopes> out;
+    for (std::size_t e = 0; e < screen_->sides; ++e) out.push_back({least_slope(e), largest_slope(e)});
+    return out;
+  }
 
 private:
   void put(std::size_t point, std::size_t triangle, double s, double t) {
@@ -98,19 +117,21 @@ private:
     const std::size_t sides = screen_->sides;
     Between d = height_at(sight_->scene_.heights(triangle, screen_->face), s, t);
     if (over.least < 0) d = {-d.largest, -d.least};
-    from_plane[point] = {std::max(0.0, d.least), std::max(0.0, d.largest)};
+    from_plane_[point] = {std::max(0.0, d.least), std::max(0.0, d.largest)};
     for (std::size_t e = 0; e < sides; ++e) {
       Between g = height_at(screen_->beyond[triangle * sides + e], s, t);
       const Signs& signs = screen_->signs[face_ * sides + e];
       if (signs.least >= 0) g.least = std::max(g.least, 0.0);
       if (signs.largest <= 0) g.largest = std::min(g.largest, 0.0);
-      beyond[point * sides + e] = g;
+      beyond_[point * sides + e] = g;
     }
   }
 
   const Sight* sight_;
   const Screen* screen_;
   std::size_t face_;
+  std::vector<Between> from_plane_;
+  std::vector<Between> beyond_;  ///< by point, side
 };
 
 Sight::Sight(const PolyhedronCertificate& certificate, const Scene& scene)
@@ -187,7 +208,7 @@ void Sight::put_pairs() {
         const Signs& of_j = over(j, screens_[s].face);
         const bool is_before = of_i.largest > 0 && of_j.least < 0;
         if (!is_before && !(of_i.least < 0 && of_j.largest > 0)) continue;
-        const Hides found = hides(s, corners_of_face(s, i), corners_of_face(s, j));
+        const Hides found = hides(corners_of_face(s, i).slopes(), corners_of_face(s, j));
         if (found == Hides::all) pair.is_hidden = true;
         if (found == Hides::something) (is_before ? pair.before : pair.behind).push_back(s);
       }
@@ -201,22 +222,11 @@ Sight::Corners Sight::corners_of_face(std::size_t screen, std::size_t face) cons
   return out;
 }
 
-Sight::Hides Sight::hides(std::size_t screen, const Corners& from, const Corners& to) const {
-  const std::size_t sides = screens_[screen].sides;
+Sight::Hides Sight::hides(const std::vector<Slopes>& from, const Corners& to) {
   bool hides_all = true;
-  for (std::size_t e = 0; e < sides; ++e) {
-    bool is_beside = true;
-    for (std::size_t p = 0; p < from.from_plane.size() && (is_beside || hides_all); ++p)
-      for (std::size_t q = 0; q < to.from_plane.size() && (is_beside || hides_all); ++q) {
-        const Between& g_p = from.beyond[p * sides + e];
-        const Between& g_q = to.beyond[q * sides + e];
-        const Between& d_p = from.from_plane[p];
-        const Between& d_q = to.from_plane[q];
-        is_beside = is_beside && sum_below(product_below(d_q, g_p.least), product_below(d_p, g_q.least)) >= 0;
-        hides_all =
-            hides_all && sum_above(product_above(d_q, g_p.largest), product_above(d_p, g_q.largest)) <= 0;
-      }
-    if (is_beside) return Hides::nothing;
+  for (std::size_t e = 0; e < from.size(); ++e) {
+    if (-from[e].least <= to.least_slope(e)) return Hides::nothing;
+    hides_all = hides_all && to.largest_slope(e) <= -from[e].largest;
   }
   return hides_all ? Hides::all : Hides::something;
 }
@@ -229,7 +239,9 @@ public:
     const std::size_t own = sight.scene_.triangles()[triangle].face;
     for (const std::vector<std::size_t>* screens : {&pair_.before, &pair_.behind})
       for (const std::size_t s : *screens) {
-        from_.emplace_back(sight, s, own).put(triangle, box);
+        Corners corners(sight, s, own);
+        corners.put(triangle, box);
+        from_.push_back(corners.slopes());
         to_.emplace_back(sight, s, other);
       }
   }
@@ -253,7 +265,7 @@ private:
       if (k == pair_.before.size() && out == Hides::nothing) return out;
       const std::size_t screen = is_before ? pair_.before[k] : pair_.behind[k - pair_.before.size()];
       put(k, screen);
-      const Hides own = sight_.hides(screen, from_[k], to_[k]);
+      const Hides own = hides(from_[k], to_[k]);
       if (own == Hides::all) return own;
       if (is_before && own == Hides::something) out = own;
     }
@@ -262,7 +274,7 @@ private:
 
   const Sight& sight_;
   const Pair& pair_;
-  std::vector<Corners> from_;  ///< by screen before, then behind
+  std::vector<std::vector<Slopes>> from_;  ///< by screen before, then behind
   std::vector<Corners> to_;
 };
 

@@ -42,13 +42,18 @@ struct View {
 ///           is affine in p and in q, so that its extremes over convex hulls are those at pairs of corners.
 ///             B hides nothing   where f_e >= 0 at all pairs, for some e
 ///             B hides all       where f_e <= 0 at all pairs, for all e
+///           f_e/(|d(p)| |d(q)|) = g_e(p)/|d(p)| + g_e(q)/|d(q)|: with the least and the largest slope
+///           g_e/|d| of either hull, f_e >= 0 where the least ones sum to 0 or more, f_e <= 0 where the
+///           largest ones sum to 0 or less. Where d(p) = 0 the slope is infinite, of the sign of g_e(p), and
+///           f_e is |d(q)| g_e(p). An infinite one outweighs any other where it is that of all corners of a
+///           hull, which lies in the plane then
 ///           Y is seen by all of X where no screen with X before it and Y behind it hides anything: by
 ///           solid_fault the first face that a segment from X meets is met from its front. It is seen by none
 ///           where one screen hides all of it. Borders are null sets. What is neither is halved until its
 ///           mass is at most least_mass or it is half as large as the box; mass >= |Y| h_P h_Q/(pi r^4), h
 ///           the largest heights over each other's planes, r the least distance
-/// Source    ours; PanelSight of the layer continuous takes planes that turn about sides, of which no line is
-///           used here
+/// Source    ours; PanelSight of the layer continuous bounds such slopes too, in doubles with one slack for
+///           all, and no line of it is used here
 /// Requires  surface_fault found nothing; all of it outlives this
 /// Result    bounds are rounded outwards, exact signs taken where whole faces have them; what cannot be
 ///           decided is shaded
@@ -84,6 +89,11 @@ private:
     std::vector<std::size_t> behind;
   };
   enum class Hides { nothing, something, all };
+  /// Bounds of g_e/|d| over points.
+  struct Slopes {
+    double least = 0;
+    double largest = 0;
+  };
   class Corners;
   class Look;
 
@@ -96,7 +106,7 @@ private:
   void put_screens();
   void put_pairs();
   [[nodiscard]] Corners corners_of_face(std::size_t screen, std::size_t face) const;
-  [[nodiscard]] Hides hides(std::size_t screen, const Corners& from, const Corners& to) const;
+  [[nodiscard]] static Hides hides(const std::vector<Slopes>& from, const Corners& to);
 
   const PolyhedronCertificate& certificate_;
   const Scene& scene_;
