@@ -248,54 +248,68 @@ TEST(ClusterRegion, IsOfPlaneChartsAndOctants) {
   }
 }
 
-/// Points P of one cluster against complex Q of another: how near |G| comes to its bound.
-double nearest_to_kernel_bound(const Surface& surface, int level, int trials, std::mt19937& random) {
-  double nearest = 0;
+/// How near the factors of G come to their bounds, P in one cluster and complex Q of another.
+KernelFactors nearest_to_bounds(const Surface& surface, int level, int trials, std::mt19937& random) {
+  KernelFactors reached;
   const Triangulation triangulation = triangulate(surface, level);
   const auto& triangles = triangulation.triangles;
   for (int trial = 0; trial < trials; ++trial) {
     const ParameterTriangle& seen = triangles[random() % triangles.size()];
-    const ParameterTriangle& from = triangles[random() % triangles.size()];
+    // A neighbour, or the same, as often as any.
+    const ParameterTriangle& from = trial % 2 == 0 ? triangles[random() % triangles.size()]
+                                                   : triangles[(&seen - triangles.data()) ^ (trial % 4)];
     if (in_one_plane(surface.charts[seen.chart], surface.charts[from.chart])) continue;
     const ClusterRegion in(surface.charts[seen.chart], seen);
     const ClusterRegion of(surface.charts[from.chart], from);
-    const double farthest = std::min(of.least_distance(in.centre()) / in.radius(), in.limit());
-    for (const double part : {0.0, 0.1, 0.2, 0.4, 0.6}) {
+    const double farthest = std::min(std::max(of.least_distance(in.centre()) / in.radius(), 1.2), in.limit());
+    for (const double part : {0.0, 0.3, 0.6, 0.85}) {
       const double g = 1 + (farthest - 1) * part;
-      const double bound = g >= 1 ? kernel_bound(in, of, g) : std::numeric_limits<double>::infinity();
-      if (!std::isfinite(bound)) break;
-      for (int point = 0; point < 40; ++point) {
+      if (!(g >= 1)) break;
+      const KernelFactors bounds = kernel_factors(in, of, g);
+      const double of_kernel = kernel_bound(in, of, g);
+      for (int point = 0; point < 60; ++point) {
         Barycentric<double> at = random_point(random);
         // The corners too, where the distance is least.
         if (point % 3 == 0)
           at = {{point % 9 == 0 ? 1.0 : 0.0, point % 9 == 3 ? 1.0 : 0.0, point % 9 == 6 ? 1.0 : 0.0}};
         const Frame<double> p = surface.charts[from.chart].in<double>().frame(from.at(at.x));
-        const ComplexFrame q = complex_frame(surface.charts[seen.chart], seen, any_lambda(random, g));
+        const ComplexFrame q = complex_frame(surface.charts[seen.chart], seen, random_lambda(random, g));
         const ComplexVector d = q.point - complex_of(p.point);
         const Complex squared = product(d, d);
-        const double size =
-            std::abs(product(d, complex_of(unit_normal(p))) * product(d, q.normal) / (squared * squared));
-        EXPECT_LE(size, bound * (1 + 1e-9)) << surface.name << " " << g;
-        nearest = std::max(nearest, size / bound);
+        const double over_p = std::abs(product(d, complex_of(unit_normal(p))));
+        const double over_q = std::abs(product(d, q.normal));
+        const std::string where = surface.name + ", g = " + std::to_string(g);
+        EXPECT_LE(over_p, bounds.over_p * (1 + 1e-9)) << where;
+        EXPECT_LE(over_q, bounds.over_q * (1 + 1e-9)) << where;
+        reached.over_p = std::max(reached.over_p, over_p / bounds.over_p);
+        reached.over_q = std::max(reached.over_q, over_q / bounds.over_q);
+        if (!(bounds.nearest > 0)) continue;
+        EXPECT_GE(std::sqrt(std::abs(squared)), bounds.nearest * (1 - 1e-9)) << where;
+        EXPECT_LE(over_p * over_q, of_kernel * std::norm(squared) * (1 + 1e-9)) << where;
+        reached.nearest = std::max(reached.nearest, bounds.nearest / std::sqrt(std::abs(squared)));
       }
     }
   }
-  return nearest;
+  return reached;
 }
 
 TEST(KernelBound, HoldsOnComplexNeighbourhoodsAndIsNearlyReached) {
   std::mt19937 random(11);
-  for (const Surface& surface : {cube(), box(1, 1, 3)})
-    EXPECT_GT(nearest_to_kernel_bound(surface, 1, 300, random), 0.02);
+  for (const Surface& surface : {cube(), box(1, 1, 3)}) {
+    const KernelFactors reached = nearest_to_bounds(surface, 1, 300, random);
+    EXPECT_GT(reached.nearest, 0.8) << surface.name;
+    EXPECT_GT(reached.over_p, 0.8) << surface.name;
+    EXPECT_GT(reached.over_q, 0.99) << surface.name;
+  }
 }
 
 TEST(KernelBound, HoldsOnComplexNeighbourhoodsOfCurvedCharts) {
   std::mt19937 random(13);
   for (const Surface& surface : curved_surfaces()) {
-    double nearest = 0;
-    for (const int level : {2, 3})
-      nearest = std::max(nearest, nearest_to_kernel_bound(surface, level, 250, random));
-    EXPECT_GT(nearest, 0.02) << surface.name;
+    const KernelFactors reached = nearest_to_bounds(surface, 3, 300, random);
+    EXPECT_GT(reached.nearest, 0.8) << surface.name;
+    EXPECT_GT(reached.over_p, 0.4) << surface.name;
+    EXPECT_GT(reached.over_q, 0.4) << surface.name;
   }
 }
 

@@ -173,21 +173,26 @@ double ClusterRegion::largest_height(const ClusterRegion& above) const {
   return largest + size * 0x1p-40;
 }
 
-double kernel_bound(const ClusterRegion& seen, const ClusterRegion& from, double g) {
+KernelFactors kernel_factors(const ClusterRegion& seen, const ClusterRegion& from, double g) {
   expects(g >= 1, "1 <= g", named("g", g));
   const ClusterRegion::Neighbourhood complex = seen.at(g);
   const ClusterRegion::Neighbourhood real = from.at(1);
   const double moved = (g * seen.radius() + complex.bend) * up;
-  const double nearest = (from.least_distance(seen.centre()) - moved) * down;
-  if (!(nearest > 0) || !(real.turn < infinity)) return infinity;
   const double farthest = (norm(seen.centre() - from.centre()) + moved + from.radius() + real.bend) * up;
   const double bends = (complex.bend + real.bend) * up;
-  const double over_p =
-      g * seen.largest_height(from) + from.largest_height(from) + bends + farthest * real.turn;
-  const double over_q =
-      from.largest_height(seen) + g * seen.largest_height(seen) + bends + farthest * complex.turn;
-  const double squared = nearest * nearest;
-  return over_p * over_q / (squared * squared) * up;
+  return {
+      .nearest = (from.least_distance(seen.centre()) - moved) * down,
+      .over_p =
+          (g * seen.largest_height(from) + from.largest_height(from) + bends + farthest * real.turn) * up,
+      .over_q =
+          (from.largest_height(seen) + g * seen.largest_height(seen) + bends + farthest * complex.turn) * up};
+}
+
+double kernel_bound(const ClusterRegion& seen, const ClusterRegion& from, double g) {
+  const KernelFactors f = kernel_factors(seen, from, g);
+  if (!(f.nearest > 0) || !std::isfinite(f.over_p * f.over_q)) return infinity;
+  const double squared = f.nearest * f.nearest;
+  return f.over_p * f.over_q / (squared * squared) * up;
 }
 
 }  // namespace radcert

@@ -80,7 +80,7 @@ private:
 /// Whether a chart is one of those that ClusterRegion takes.
 [[nodiscard]] bool has_cluster_regions(const Chart& chart);
 
-/// A bound of |G|, one of the points in a complex neighbourhood.
+/// What bounds |G|, one of the points in a complex neighbourhood.
 /// Maths     P in the cluster of `from`, Q on E_g of `seen`, c the centre of `seen`, w = Q - c, so that L(w)
 ///           <= g radius + bend; D <= |c - P|: |(Q - P).(Q - P)| >= (D - L(w))^2. For d = c - P, where (d +
 ///           w).(d + w) = 0, w = u + iv, the real vector a = d + u has |a| = |v| and a.v = 0, so that |d|^2 =
@@ -92,7 +92,16 @@ private:
 ///           (P - Q).n_Q in the same way with the centre and m of Q's cluster; the factor g then stands with
 ///           the q_i, which are near to their own plane
 /// Requires  1 <= g, else ContractViolation
-/// Result    rounded up; infinite where there is none
+/// Result    |(Q - P).(Q - P)| >= nearest^2 where nearest > 0, |(Q - P).n_P| <= over_p, |(P - Q).n_Q| <=
+///           over_q; rounded outwards
+struct KernelFactors {
+  double nearest = 0;
+  double over_p = 0;
+  double over_q = 0;
+};
+[[nodiscard]] KernelFactors kernel_factors(const ClusterRegion& seen, const ClusterRegion& from, double g);
+
+/// The bound of |G| that follows; infinite where there is none.
 [[nodiscard]] double kernel_bound(const ClusterRegion& seen, const ClusterRegion& from, double g);
 
 }  // namespace radcert
