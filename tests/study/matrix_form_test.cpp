@@ -217,9 +217,10 @@ TEST(MatrixForm, IsRefusedByNameWhereItDoesNotServe) {
   for (const std::string& solver :
        solver_names([](const LinearSolver& each) { return !each.takes_products() && !each.proves(); }))
     expect_obstacle(held_as(on_ellipsoid(), "h2", solver), "solver " + solver);
-  EXPECT_NO_THROW(check(held_as(on_ellipsoid(), "h2", "verified"), 1));
-  expect_obstacle(held_as(with_emission(sample_problem("cylinder", {}), "1"), "h2", "verified"),
-                  "neither plane nor an octant");
+  EXPECT_NO_THROW(
+      check(held_as(on_ellipsoid(), "h2", "verified"), std::numeric_limits<std::uint64_t>::max() - 1));
+  const Problem on_cylinder = with_emission(sample_problem("cylinder", {{"radius", 1}, {"height", 2}}), "1");
+  expect_obstacle(held_as(on_cylinder, "h2", "verified"), "neither plane nor an octant");
   Problem graded = problem;
   graded.triangulation.grading = 2;
   expect_obstacle(graded, "curved charts");
