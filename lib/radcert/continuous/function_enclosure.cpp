@@ -298,7 +298,7 @@ private:
     return proof;
   }
 
-  /// A box, or where it is at a vertex its parts: half as large from one to the next.
+  /// A box, or where it is at a vertex its parts: a quarter as large from one to the next.
   [[nodiscard]] std::vector<SectorBox> cut_towards_vertex(const Sector& sector, SectorBox box,
                                                           double least) const {
     std::vector<SectorBox> out;
@@ -307,9 +307,13 @@ private:
     while (box.t0 == 0 && (at_start || box.s1 == 1) && box.s1 - box.s0 > narrowest && box.t1 > narrowest &&
            disks_.distance_at_most(sector, box) > least) {
       SectorBox beside = box;
-      (at_start ? box.s1 : box.s0) = (at_start ? beside.s0 : beside.s1) = box.middle_s();
+      const double quarter = 0.25 * (box.s1 - box.s0);
+      if (at_start)
+        beside.s0 = box.s1 = box.s0 + quarter;
+      else
+        beside.s1 = box.s0 = box.s1 - quarter;
       SectorBox above = box;
-      above.t0 = box.t1 = box.middle_t();
+      above.t0 = box.t1 = 0.25 * box.t1;
       out.push_back(beside);
       out.push_back(above);
     }
