@@ -236,32 +236,61 @@ class Limits(WorldTest):
         self.assertEqual(code, 2, said)
         self.assertIn("a plan within", said)
 
+    # What the program holds before it begins: code, libraries, tables.
+    UNPLANNED = 48 << 20
+    # What a command may take beside its plan or --max-memory; stacks of threads count by what they use.
+    HELD = 256 << 20
+
+    def peak_of(self, *words):
+        """What the command, which succeeds, held at most, in bytes."""
+        program = self.start(*words, "--quiet", "--threads", "2")
+        program.stdout.close()
+        with program.stderr as errors:
+            said = errors.read()
+        _, status, used = os.wait4(program.pid, 0)
+        program.returncode = os.waitstatus_to_exitcode(status)
+        self.assertIn(program.returncode, (0, -13), said)  # -13: nobody reads its table
+        return used.ru_maxrss * 1024
+
     def test_memory_stays_within_the_plan(self):
-        # What the program holds before it begins: code, libraries, tables.
-        unplanned = 48 << 20
         flat = {"surface": {"name": "cube"}, "reflectivity": "1/2", "solution": "x"}
+        sweep = {"schema": "radcert/experiment/1", "name": "sweep",
+                 "base": small(schema=None, basis=None, triangulation={"levels": [3]}, solver={"name": "direct"}),
+                 "vary": {"basis": [{"family": "inset", "degree": 1, "alpha": alpha} for alpha in ("1/6", "1/7")]}}
         for words in (["solve", self.write("direct.json", small(triangulation={"levels": [4]}, solver={"name": "direct"}))],
                       ["solve", self.write("gmres.json", small(triangulation={"levels": [4]}, solver={"name": "gmres"}))],
                       ["solve", self.write("verified.json", small(**flat, triangulation={"levels": [1]}, solver={"name": "verified"}))],
                       ["solve", self.write("h2.json", small(**flat, triangulation={"levels": [3]}, operator={"name": "h2"}))],
+                      ["experiment", self.write("sweep.json", sweep)],
                       ["factors", "cube", "--level", "3"], ["factors", "cube", "--level", "2", "--json", "/dev/null"],
                       ["factors", "cube", "--level", "1", "--certified"],
-                      ["factors", "cube", "--level", "2", "--rays", "--by", "piece", "--accuracy", "1e-2"]):
+                      ["factors", "cube", "--level", "2", "--rays", "--by", "piece", "--accuracy", "1e-2"],
+                      ["picture", "figure_8_lehtinen", "--size", "64x64", "--separation", "0.3", "--out", "room.png"]):
             with self.subTest(words=words):
                 refused = self.run_program(*words, "--max-memory", "1k")
                 self.assertEqual(refused.returncode, 2, refused.stderr)
                 planned = int(re.search(rb"needs (?:[\d.]+ \w+ \()?(\d+) bytes", refused.stderr)[1])
-                program = self.start(*words, "--quiet", "--threads", "2")
-                program.stdout.close()
-                with program.stderr as errors:
-                    said = errors.read()
-                _, status, used = os.wait4(program.pid, 0)
-                program.returncode = os.waitstatus_to_exitcode(status)
-                self.assertIn(program.returncode, (0, -13), said)  # -13: nobody reads its table
-                self.assertLessEqual(used.ru_maxrss * 1024, planned + unplanned)
+                self.assertLessEqual(self.peak_of(*words), planned + self.UNPLANNED)
 
     def test_memory_that_no_plan_counts_is_held_too(self):
-        # The same in little: 256 MiB beside --max-memory are for all that, and this takes more.
+        # Everything else: with next to nothing for plans a command stays within what it may take beside them.
+        room = {"surface": {"name": "cube"}, "reflectivity": "1/2", "solution": None, "emission": {"floor": "1", "*": "0"},
+                "triangulation": {"levels": [0]}}
+        commands = [["solve", self.write("room.json", small(**room)), "--guarantee", "0.1", "--certificate", "proof.json"],
+                    ["check", "proof.json"],
+                    ["edge", "--angle", "90", "--rho", "1/2"],
+                    ["verify", "ac98/equation_20"],
+                    ["reference", "two_squares_1", "--digits", "40"],
+                    ["surface", "two_piece"],
+                    ["basis", "inset", "--degree", "4", "--alpha", "1/10"],
+                    ["list", "surfaces"], ["schema", "problem"], ["example", "problem"]]
+        others = {"factors", "experiment", "picture", "completion", "man"}  # have plans, or but print themselves
+        named = re.findall(r"^  (\w+)  ", self.expect(0, "--help").split("Subcommands:")[1], re.MULTILINE)
+        self.assertEqual(sorted(named), sorted({words[0] for words in commands} | others))
+        for words in commands:
+            with self.subTest(words=words):
+                self.assertLessEqual(self.peak_of(*words, "--max-memory", "1k"), self.HELD + self.UNPLANNED)
+        # The same in little: this takes more.
         code, _, said = self.run_with("check", "/dev/zero", "--max-memory", "1k", input=b"")
         self.assertEqual(code, 2, said)
 
