@@ -122,6 +122,31 @@ TEST(ResidualSums, SeeAConstantErrorWhereRhoIsAPolynomial) {
   EXPECT_LT(sums.products[1].radius, 0.1 * d);
 }
 
+TEST(ResidualSums, TakeProductsWithQExactly) {
+  // E = 0, and q is 0 but on the sector at the first side of one face, where it is 2 t - 1. That face does not see
+  // itself: Int w t = -Int rho q^2. In its plane rho = y^d/2, and y = t/2 on the sector.
+  const SectorScene scene(panels_of("cube"));
+  const std::vector<SectorElement> elements = graded_elements(scene, 1);
+  for (const int d : {1, 2, 3}) {
+    PlanePolynomial<Rational> rho(d);
+    rho(0, d) = Rational(1, 2);
+    std::vector<PanelReflectivity> by_panel(scene.panels().size(), PanelReflectivity(Rational(0)));
+    by_panel[0] = reflectivity_of(scene.panels()[0], rho).value();
+    const Reflectivity reflectivity(by_panel);
+    SectorFunctions q(elements.size(), 1, 1);
+    for (std::size_t e = 0; e < elements.size(); ++e)
+      if (elements[e].sector == scene.first_sector(0)) q.of(e, 0)[1] = 1;
+    const Trial trial(scene, reflectivity, elements, SectorFunctions(elements.size(), 1, 1 + d), q);
+    const CellDemand demand{.interpolation = 1e-4, .quadrature = 1e-7, .shade = 1};
+    const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
+    // The area element is (1 - t)/2.
+    const double integral = -4.0 / (d + 4) + 8.0 / (d + 3) - 5.0 / (d + 2) + 1.0 / (d + 1);
+    const double exact = -0.25 * std::ldexp(integral, -d);
+    EXPECT_NEAR(sums.products[0].value, exact, sums.products[0].radius) << d;
+    EXPECT_LT(sums.products[0].radius, 0.1 * std::abs(exact)) << d;
+  }
+}
+
 TEST(ResidualSums, AreBoundsAtAnyDemand) {
   // Products of coarse cells contain those of fine ones; norms from coarse cells are larger.
   Furnace furnace("tetrahedron", 1, 2);

@@ -116,8 +116,8 @@ public:
 
   /// Int w_k q_i over a part of an element, by i, k, by a rule that is exact for it.
   [[nodiscard]] std::vector<double> products_with_q(std::size_t e, const SectorBox& part) const {
-    // Of the degree of w, of q, and 1 for the area element.
-    const int nodes = (trial_.w.degree() + trial_.q.degree()) / 2 + 1;
+    // Of the degree of w, of q, and 1 for the area element, which 2 nodes - 1 is at least.
+    const int nodes = (trial_.w.degree() + trial_.q.degree() + 3) / 2;
     const IntervalRule<double>& rule = gauss_on_interval(nodes);
     std::vector<double> sums(residuals_ * count_);
     visit(e, part, rule, rule,
@@ -306,8 +306,8 @@ std::vector<ElementResidual> element_residuals(const Trial& trial, std::span<con
     for (std::size_t k = 0; k < count; ++k) {
       own.norms.push_back((std::sqrt(sums[e].squares[k]) + std::sqrt(sums[e].missed[k])) * (1 + rounding) *
                           upward);
-      own.products.push_back(
-          Approximation::proved(sums[e].products[k] - with_q[k], (sums[e].sampling[k] + order) * upward));
+      own.products.push_back(Approximation::proved(sums[e].products[k] - with_q[k],
+                                                   (sums[e].sampling[k] + order) * (1 + rounding) * upward));
     }
     out.push_back(std::move(own));
   }
@@ -392,7 +392,7 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
                          (1 + (terms + 512) * unit) * upward);
     const double radius =
         (total.sampling[k] + total.rounding[k] + total.shade[k] + total.truncation + total.strips + order) *
-        upward;
+        (1 + (terms + 512) * unit) * upward;
     radii.push_back(radius);
     sums.sampling = std::max(sums.sampling, total.sampling[k]);
     sums.shade = std::max(sums.shade, total.shade[k]);

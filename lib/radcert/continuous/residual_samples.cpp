@@ -98,7 +98,8 @@ std::size_t ResidualSamples::panel_beyond(std::size_t element) const {
 
 std::vector<CellSamples> ResidualSamples::operator()(std::span<const ObserverCell> cells,
                                                      const CellTolerances& tolerances) const {
-  const auto powers = static_cast<double>(trial_.q.degree() + 1);
+  // Of q and, at an edge, of xi, which has the degree of w.
+  const auto powers = static_cast<double>(trial_.w.degree() + 1);
   const double rounding = 40 * powers * powers * unit * trial_.smoothness.largest_residual();
   const bool as_they_are = shaded_ == ShadedParts::ignored || trial_.scene.sight().is_open();
   std::vector<Transport::Values> values = sent(cells, tolerances);
