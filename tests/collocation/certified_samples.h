@@ -24,4 +24,19 @@ inline std::vector<double> numbers_of(const CertifiedEntries& matrix) {
   return numbers;
 }
 
+/// The linear functions and x1 x2, at nodes that are symmetric to the exchange of x2 and x3.
+inline LagrangeFunctions lopsided_functions() {
+  const Rational half(1, 2);
+  const PolynomialSpace space{.degree = 2,
+                              .functions = {{1, half, half, 0, 0, 0},
+                                            {0, half, 0, 1, half, 0},
+                                            {0, 0, half, 0, half, 1},
+                                            {0, half, 0, 0, 0, 0}}};
+  const std::vector<Barycentric<Rational>> nodes{{{Rational(5, 8), Rational(3, 16), Rational(3, 16)}},
+                                                 {{Rational(3, 16), Rational(5, 8), Rational(3, 16)}},
+                                                 {{Rational(3, 16), Rational(3, 16), Rational(5, 8)}},
+                                                 {{Rational(1, 4), Rational(3, 8), Rational(3, 8)}}};
+  return lagrange_functions(space, nodes).value();
+}
+
 }  // namespace radcert

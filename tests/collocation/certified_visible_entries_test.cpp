@@ -228,6 +228,18 @@ TEST(CertifiedVisibleEntries, AgreeWithTheRoundedMatrix) {
   }
 }
 
+TEST(CertifiedVisibleEntries, OfAMeshWhoseChartsAreReversedAskForSymmetricFunctions) {
+  const TriangleMesh mesh = sample::mesh_of(sample::l_shaped_room());
+  const SmoothComponents components = smooth_components(mesh, mesh_topology(mesh), 30);
+  const Surface reversed = mesh_surface(
+      "mesh", mesh, components.of_piece, piece_names(mesh, components),
+      {.orientation = Orientation::against_the_cross_product, .closed = true, .unoccluded = false});
+  const auto refused =
+      certified_mesh_entries(reversed, triangulate(reversed, 0), lopsided_functions());
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_NE(refused.reason().find("their functions"), std::string::npos);
+}
+
 TEST(CertifiedVisibleEntries, AreTheUnoccludedOnesWhereNothingHides) {
   const Scene scene = sample::cube_room();
   const LagrangeFunctions functions = inset_functions(2, Rational(1, 6));

@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "problems.h"
+#include "radcert/collocation/certified/exchanged_corners.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/approximation.h"
 #include "radcert/surface/catalogue.h"
+#include "tests/collocation/certified_samples.h"
 
 namespace radcert {
 namespace {
@@ -70,6 +72,16 @@ TEST(PlaneEntries, OfBothRoutesHaveCommonPoints) {
           lagrange_functions(inset_nodes(2, Rational(1, 8))).value(), lagrange_functions(lopsided).value()})
       expect_overlap(certified_plane_entries(elements, functions).value(),
                      plane_entries_in_balls(elements, functions).value());
+  }
+}
+
+TEST(PlaneEntries, OfFunctionsThatAreLessSymmetricThanTheirNodesAreThoseInBalls) {
+  const LagrangeFunctions functions = lopsided_functions();
+  EXPECT_FALSE(places_when_exchanged(functions).has_value());
+  for (const char* name : {"cube", "tetrahedron", "octahedron", "two_squares"}) {
+    const std::vector<PlaneChart> elements = elements_of(surface(name));
+    expect_overlap(certified_plane_entries(elements, functions).value(),
+                   plane_entries_in_balls(elements, functions).value());
   }
 }
 

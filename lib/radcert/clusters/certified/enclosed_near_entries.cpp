@@ -58,7 +58,9 @@ Outcome<void> EnclosedNearEntries::fill_on_planes(const std::vector<PlaneChart>&
   }
   const auto exchanged = places_when_exchanged(functions);
   if (!exchanged && std::find(reversed.begin(), reversed.end(), true) != reversed.end())
-    return because("the nodes of the basis are not symmetric, which elements against the cross product ask");
+    return because(
+        "the nodes of the basis and their functions are not symmetric, which elements against the cross "
+        "product ask");
   const Outcome<IntegralErrors> errors = IntegralErrors::of(functions);
   if (!errors) return because(errors.reason());
   const Outcome<ExactNodes> exact = exact_nodes(triangles, functions);

@@ -252,7 +252,9 @@ Outcome<CertifiedEntries> certified_mesh_entries(const Surface& mesh, const Tria
   const bool exchange = mesh.charts.front().facts().orientation == Orientation::against_the_cross_product;
   const auto places = places_when_exchanged(functions);
   if (exchange && !places)
-    return because("the nodes are not symmetric to an exchange of two corners, as the mesh's normals ask");
+    return because(
+        "the nodes and their functions are not symmetric to an exchange of two corners, as the mesh's "
+        "normals ask");
   std::vector<SceneElement> elements;
   for (const ParameterTriangle& triangle : triangulation.triangles) {
     SceneElement element{.triangle = triangle.chart};

@@ -48,7 +48,7 @@ Outcome<CertifiedEntries> certified_visible_entries(const Scene& scene,
 /// the charts' parameters.
 /// Requires  a mesh, a triangulation of it; functions of degree at most 8, else ContractViolation
 /// Result    as above. Refused too where the inner normals run against the charts' cross products and the
-///           nodes are not symmetric to an exchange of two corners
+///           nodes or their functions are not symmetric to an exchange of two corners
 Outcome<CertifiedEntries> certified_mesh_entries(const Surface& mesh, const Triangulation& triangulation,
                                                  const LagrangeFunctions& functions);
 

@@ -2,6 +2,9 @@
 #include "radcert/collocation/certified/exchanged_corners.h"
 
 #include <algorithm>
+#include <array>
+
+#include "radcert/polynomial/nodes/lattice.h"
 
 namespace radcert {
 namespace {
@@ -11,6 +14,14 @@ Matrix<double> in_order(const Matrix<double>& from, std::span<const std::size_t>
   for (std::size_t j = 0; j < place.size(); ++j)
     for (std::size_t i = 0; i < place.size(); ++i) to(i, j) = from(place[i], place[j]);
   return to;
+}
+
+/// Whether f(x1,x3,x2) = g(x1,x2,x3), by their Bernstein coefficients.
+bool are_exchanged(std::span<const Rational> f, std::span<const Rational> g, int degree) {
+  const auto lattice = lattice_indices(degree);
+  return std::all_of(lattice.begin(), lattice.end(), [&](const std::array<int, 3>& k) {
+    return f[lattice_place({k[0], k[2], k[1]})] == g[lattice_place(k)];
+  });
 }
 
 }  // namespace
@@ -25,6 +36,10 @@ std::optional<std::vector<std::size_t>> places_when_exchanged(const LagrangeFunc
     if (found == nodes.end()) return std::nullopt;
     places.push_back(static_cast<std::size_t>(found - nodes.begin()));
   }
+  for (std::size_t j = 0; j < places.size(); ++j)
+    if (!are_exchanged(functions.bernstein_coefficients(j), functions.bernstein_coefficients(places[j]),
+                       functions.degree()))
+      return std::nullopt;
   return places;
 }
 
