@@ -155,13 +155,13 @@ TEST(VertexDisks, CountAVertexSeenFromBelowWhole) {
   const SectorScene scene(panels);
   const VertexDisks disks(scene);
   const Vector<double> below = scene.place({Rational(0), Rational(0), Rational(0)});
-  for (const double part : {1.0, 0.1}) {
-    const double radius = part * disks.largest_radius();
+  for (const double radius : {0.25, 0.025}) {
     // (1/pi) Int_0^a 2 pi q/(1+q^2)^2 dq about.
     const double seen = PolarTransport(scene)(0, below, radius, [](double) { return 1.0; });
     const double bound = disks.mass(radius, 40);
     EXPECT_LE(seen, bound * (1 + 1e-3)) << radius;
     EXPECT_GT(seen, 0.5 * bound) << radius;
+    EXPECT_LT(bound, 1) << radius;
   }
 }
 
@@ -169,9 +169,23 @@ TEST(VertexDisks, SeeNothingOfFarVertices) {
   const SectorScene scene(panels_of("cube"));
   const VertexDisks disks(scene);
   EXPECT_LT(disks.mass(1e-4, 0.25), 1e-6);
-  EXPECT_EQ(disks.mass(0.1, 0.1), 1);
-  // A disk of radius a on two faces at right angles, about 1/3 (a/r)^3 where a is small.
-  EXPECT_NEAR(disks.mass(1e-4, 1e-2), 1e-6 / 3, 1e-7);
+  // Half of a small cone is 2/(3 pi) (a/r)^3; four vertices lie at the height 1.
+  EXPECT_NEAR(disks.mass(1e-4, 1e-2), 2 / (3 * std::numbers::pi) * 1e-6 + 4e-8, 1e-9);
+}
+
+TEST(VertexDisks, SendHalfAtMostToPointsBesideThem) {
+  const SectorScene scene(panels_of("cube"));
+  const VertexDisks disks(scene);
+  EXPECT_EQ(disks.mass(0.1 * (1 + 1e-15), 0.1), 1);
+  // The other three corners of a face are 1/2 or more away, and four lie above it.
+  EXPECT_NEAR(disks.mass(0.1, 0.1), 0.5 + 3 * 2 / (3 * std::numbers::pi) * std::pow(0.2, 3) + 4 * 0.01, 2e-4);
+  for (const double x : {1e-8, 1e-4, 0.1, 0.5, 0.9, 0.999}) {
+    const double alpha = std::asin(x);
+    const double phi = (alpha - std::sin(alpha) * std::cos(alpha)) / std::numbers::pi;
+    const double mass = disks.mass(1e-3 * x, 1e-3);
+    EXPECT_GE(mass, phi * (1 - 1e-14)) << x;
+    EXPECT_LE(mass, phi + 1e-15 * x + 5e-6 * x * x) << x;
+  }
 }
 
 TEST(Supersolution, IsTheGeometricSeriesOfAConstant) {

@@ -2,7 +2,6 @@
 #include "radcert/continuous/vertex_disks.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -14,44 +13,14 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Where a vertex lies on a panel: at which angle, in its plane beside it, or above it.
-struct Place {
-  bool in_plane = false;
-  bool on_panel = false;
-  double angle = 0;  ///< of the panel about it
-};
-
-/// Maths     on a side that is none of its ends pi, inside 2 pi
-Place place_on(const Panel& panel, const Vector<Rational>& vertex, const SectorScene& scene) {
-  Place place;
-  const std::vector<Vector<Rational>>& corners = panel.corners;
-  place.in_plane = dot(panel.normal, vertex - corners[0]).sign() == 0;
-  if (!place.in_plane) return place;
-  const std::size_t n = corners.size();
-  place.on_panel = true;
-  bool inside = true;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Vector<Rational>& from = corners[k];
-    const Vector<Rational>& to = corners[(k + 1) % n];
-    const int side = dot(cross(to - from, vertex - from), panel.normal).sign();
-    place.on_panel = place.on_panel && side >= 0;
-    inside = inside && side > 0;
-  }
-  if (!place.on_panel) return place;
-  place.angle = inside ? 2 * std::numbers::pi : std::numbers::pi;
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!(corners[k] == vertex)) continue;
-    const Vector<double> here = scene.place(vertex);
-    const Vector<double> one = scene.place(corners[(k + 1) % n]) - here;
-    const Vector<double> other = scene.place(corners[(k + n - 1) % n]) - here;
-    place.angle = std::atan2(norm(cross(one, other)), dot(one, other));
-  }
-  return place;
-}
-
-/// Above the roundings of places, of an angle between sides that are short beside the extent as well.
-double angle_slack(const SectorScene& scene, double shortest) {
-  return 64 * displacement * scene.extent() / shortest;
+/// phi of VertexDisks for a disk of radius a, D or more away.
+/// Result    rounded up: with x = sin alpha the sine's inverse, the root and the products are off by 4 u x in all,
+///           beside which little is left of a small phi
+double half_cone(double a, double D) {
+  if (a > D) return 1;
+  const double x = std::min(1.0, a / D * upward);
+  const double computed = (std::asin(x) - x * std::sqrt((1 - x) * (1 + x))) * std::numbers::inv_pi;
+  return std::min(0.5 * x * x * x, computed + 4 * unit_roundoff<double>() * x) * upward;
 }
 
 }  // namespace
@@ -67,71 +36,36 @@ VertexDisks::VertexDisks(const SectorScene& scene) : slack_(4 * displacement * s
     for (const Vector<double>& other : vertices_) nearest = std::min(nearest, norm(here - other));
     vertices_.push_back(here);
   }
-  nearest -= slack_;
-  half_distance_ = 0.5 * nearest / upward;
-  double clear = half_distance_;
-  const std::size_t panels = scene.panels().size();
-  receivers_.resize(panels);
-  for (std::size_t v = 0; v < exact.size(); ++v) {
-    std::vector<Place> places;
-    for (const Panel& panel : scene.panels()) places.push_back(place_on(panel, exact[v], scene));
-    std::vector<double> distances(panels);
-    for (std::size_t i = 0; i < panels; ++i) {
-      if (places[i].on_panel) continue;
-      const Sector& first = scene.sectors()[scene.first_sector(i)];
-      double radius = 0;
-      double to_sides = infinity;
-      for (std::size_t s = scene.first_sector(i); s < scene.first_sector(i + 1); ++s) {
-        const Sector& sector = scene.sectors()[s];
-        radius = std::max(radius, norm(sector.a - first.c));
-        to_sides = std::min(to_sides, distance(vertices_[v], sector.a, sector.b));
+  half_distance_ = std::max(0.0, 0.5 * (nearest - slack_) / upward);
+  for (std::size_t i = 0; i < scene.panels().size(); ++i) {
+    const Panel& panel = scene.panels()[i];
+    Receiver receiver;
+    for (std::size_t v = 0; v < exact.size(); ++v) {
+      if (dot(panel.normal, exact[v] - panel.corners[0]).sign() == 0) {
+        ++receiver.in_plane;
+        continue;
       }
-      const double height = dot(scene.normal(i), vertices_[v] - first.a);
-      const double found =
-          places[i].in_plane ? to_sides : std::max(height, norm(vertices_[v] - first.c) - radius);
-      distances[i] = (found - slack_) / upward;
-      clear = std::min(clear, distances[i]);
+      const double computed = dot(scene.normal(i), vertices_[v] - scene.sectors()[scene.first_sector(i)].a);
+      const double height = std::max(0.0, (std::abs(computed) - slack_) / upward);
+      receiver.inverse_squares += 1 / (height * height) * upward;
     }
-    for (std::size_t i = 0; i < panels; ++i) {
-      double squares = 0;
-      double angles = 0;
-      for (std::size_t j = 0; j < panels; ++j) {
-        if (!places[j].on_panel || scene.coplanar(i, j)) continue;
-        const double angle = places[j].angle + angle_slack(scene, nearest);
-        const double cosine = dot(scene.normal(i), scene.normal(j));
-        squares += angle * std::min(1.0, 1 - cosine * cosine + 64 * unit_roundoff<double>());
-        angles += angle;
-      }
-      Receiver& receiver = receivers_[i];
-      if (places[i].in_plane) {
-        const double at_vertex = squares / (3 * std::numbers::pi) * upward;
-        receiver.largest_at_vertex = std::max(receiver.largest_at_vertex, at_vertex);
-        receiver.all_at_vertices += at_vertex * upward;
-      } else {
-        receiver.beyond.push_back(
-            {.angles = angles / (2 * std::numbers::pi) * upward, .distance = distances[i]});
-      }
-    }
+    receivers_.push_back(receiver);
   }
-  largest_radius_ = 0.25 * clear;
 }
 
 double VertexDisks::mass(double radius, double distance) const {
-  expects(radius <= largest_radius_, "radius <= largest_radius()", named("radius", radius));
-  const double reach = (distance - radius) / upward;
-  if (!(reach > 0)) return 1;
-  const auto cube = [](double x) { return x * x * x; };
+  expects(radius >= 0 && distance > 0, "0 <= radius, 0 < distance", named("radius", radius),
+          named("distance", distance));
+  const double nearest = half_cone(radius, distance);
+  const double others = half_cone(radius, std::max(distance, half_distance_));
   double most = 0;
   for (const Receiver& receiver : receivers_) {
-    double sum = receiver.largest_at_vertex * cube(radius / reach) +
-                 receiver.all_at_vertices * cube(radius / (half_distance_ - radius));
-    for (const Receiver::Beyond& beyond : receiver.beyond) {
-      const double quotient = radius / (beyond.distance - radius);
-      sum += beyond.angles * quotient * quotient;
-    }
-    most = std::max(most, sum * upward);
+    const double sum =
+        (nearest + (receiver.in_plane - 1) * others + radius * radius * receiver.inverse_squares) * upward;
+    if (!(sum < 1)) return 1;
+    most = std::max(most, sum);
   }
-  return std::min(1.0, most);
+  return most;
 }
 
 double VertexDisks::distance_at_most(const Sector& sector, const SectorBox& box) const {
