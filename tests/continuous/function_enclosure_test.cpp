@@ -118,21 +118,25 @@ TEST(FunctionEnclosure, KnowsThatCoefficientsAreRoundedWhereNothingReflects) {
   }
 }
 
-TEST(FunctionEnclosure, IsRefusedWhereAVertexIsTooNearToAnotherFace) {
-  // A prism, one corner of whose top is so little below it that double cannot tell.
+/// A prism of the height 1 over a convex polygon, black, with the emission 1; `low` is the height of the last
+/// corner's upper vertex, whose neighbours have a triangle with it on top.
+PolyhedronProblem black_prism(const std::vector<std::pair<Rational, Rational>>& base, const Rational& low) {
   using Point = Vector<Rational>;
-  const Rational low = Rational(1) - Rational(1, 1000000000000000);
-  const std::vector<std::pair<Rational, Rational>> base{{0, 0}, {4, 0}, {4, 4}, {2, Rational(9, 2)}, {0, 4}};
+  const std::size_t n = base.size();
   const auto at = [&](std::size_t k, const Rational& z) { return Point{base[k].first, base[k].second, z}; };
-  std::vector<std::vector<Point>> faces{{at(0, 0), at(1, 0), at(2, 0), at(3, 0), at(4, 0)},
-                                        {at(0, 1), at(1, 1), at(2, 1), at(4, 1)},
-                                        {at(2, 1), at(3, low), at(4, 1)}};
-  for (std::size_t k = 0; k < base.size(); ++k) {
-    const std::size_t next = (k + 1) % base.size();
-    faces.push_back({at(k, 0), at(next, 0), at(next, next == 3 ? low : 1), at(k, k == 3 ? low : 1)});
+  std::vector<std::vector<Point>> faces(2);
+  for (std::size_t k = 0; k < n; ++k) faces[0].push_back(at(k, 0));
+  for (std::size_t k = 0; k + 1 < n; ++k) faces[1].push_back(at(k, 1));
+  if (low == Rational(1))
+    faces[1].push_back(at(n - 1, 1));
+  else
+    faces.push_back({at(n - 2, 1), at(n - 1, low), at(0, 1)});
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t next = (k + 1) % n;
+    faces.push_back({at(k, 0), at(next, 0), at(next, next + 1 == n ? low : 1), at(k, k + 1 == n ? low : 1)});
   }
   const Point within{2, 2, Rational(1, 2)};
-  PolyhedronProblem sharp;
+  PolyhedronProblem out;
   for (std::vector<Point>& corners : faces) {
     Point normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
     if (dot(normal, within - corners[0]).sign() < 0) {
@@ -141,13 +145,28 @@ TEST(FunctionEnclosure, IsRefusedWhereAVertexIsTooNearToAnotherFace) {
     }
     Point sum = corners[0];
     for (std::size_t i = 1; i < corners.size(); ++i) sum = sum + corners[i];
-    sharp.panels.push_back({.piece = sharp.panels.size(),
-                            .corners = corners,
-                            .centre = Rational(1, static_cast<int>(corners.size())) * sum,
-                            .normal = normal});
-    sharp.reflectivity.emplace_back(0);
-    sharp.emission.push_back(constant_polynomial(Rational(1)));
+    out.panels.push_back({.piece = out.panels.size(),
+                          .corners = corners,
+                          .centre = Rational(1, static_cast<int>(corners.size())) * sum,
+                          .normal = normal});
+    out.reflectivity.emplace_back(0);
+    out.emission.push_back(constant_polynomial(Rational(1)));
   }
+  return out;
+}
+
+TEST(FunctionEnclosure, IsFoundWhereAVertexIsAsNearToAnotherFaceAsDoubleCanTell) {
+  const Rational low = Rational(1) - Rational(1, 1000000000000000);
+  const PolyhedronProblem sharp = black_prism({{4, 0}, {4, 4}, {2, Rational(9, 2)}, {0, 4}, {0, 0}}, low);
+  const FunctionEnclosure found = enclose_function(sharp, 1, 0.1);
+  EXPECT_TRUE(found.hindrance.empty()) << found.hindrance;
+  EXPECT_LE(found.sup, 1e-12);
+}
+
+TEST(FunctionEnclosure, IsRefusedWhereTwoVerticesAreAsNearAsDoubleCanTell) {
+  const Rational little(1, 1'000'000'000'000'000'000);
+  const PolyhedronProblem sharp =
+      black_prism({{4, 0}, {4, 4}, {Rational(4) - little, Rational(4) + little / 2}, {0, 4}, {0, 0}}, 1);
   const FunctionEnclosure found = enclose_function(sharp, 1, 0.1);
   EXPECT_FALSE(std::isfinite(found.sup));
   EXPECT_FALSE(found.hindrance.empty());

@@ -170,7 +170,7 @@ public:
 
   FunctionEnclosure operator()(const SearchContext& context) {
     if (!(disks_.largest_radius() > 0)) {
-      best_.hindrance = "a vertex lies as near to another face as double can tell";
+      best_.hindrance = "two vertices lie as near to each other as double can tell";
       return std::move(best_);
     }
     for (int layers = first_layers; layers <= most_layers.value(); ++layers) {
