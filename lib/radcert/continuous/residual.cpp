@@ -246,10 +246,6 @@ private:
   std::size_t residuals_;  ///< for products
 };
 
-}  // namespace
-
-namespace {
-
 /// What cells contribute, one by one, as few numbers.
 class SharesByCell {
 public:
@@ -314,10 +310,6 @@ std::vector<ElementResidual> element_residuals(const Trial& trial, std::span<con
   return out;
 }
 
-}  // namespace
-
-namespace {
-
 /// Cells that one thread takes, and among which what distant parts send is shared; parts are kept together.
 constexpr std::size_t cells_at_a_time = 64;
 constexpr std::size_t cells_of_a_part = 16 * cells_at_a_time;
@@ -335,10 +327,6 @@ std::vector<double> numbers_of_cells(MeshWork* work, const std::string& kind, st
   if (!is_found) work->add(size);
   return numbers;
 }
-
-}  // namespace
-
-namespace {
 
 ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
                        std::span<const ObserverCell> cells, const CellDemand& demand, bool by_element,
