@@ -87,6 +87,15 @@ class Reference(PageTest):
         message = self.refused(1, "edge_exponent_90", "--set", "rho=1e-30", "--digits", "10")
         self.assertIn("was not reached", message)
 
+    def test_parameters_beyond_double_are_not_reached(self):
+        for name, value in [("coaxial_disks", "from_radius=1e-160"), ("sphere_to_coaxial_disk", "distance=1e320"),
+                            ("element_to_parallel_disk", "distance=1e160"), ("cylinder_to_itself", "length=1e-320"),
+                            ("sphere_radiosity_excess", "rho=0." + 310 * "9")]:
+            with self.subTest(name):
+                done = self.run_program("reference", name, "--set", value)
+                self.assertIn(done.returncode, (0, 1), done.stderr)
+                self.assertNotIn(b"defect", done.stderr)
+
     def test_the_page_is_true_and_its_data_set_complete(self):
         # All values are computed once, by the page.
         self.follow(read(os.path.join(EXAMPLES, "02_reference_value", "README.md")))

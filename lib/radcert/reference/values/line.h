@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "radcert/enclosure/interval_integral.h"
@@ -18,13 +20,18 @@ R in(const Rational& value) {
 /// Maths     |value - factor Int| <= demand.radius
 /// Source    integral_on_interval
 /// Requires  factor != 0
-/// Result    enclosed, or undecided
+/// Result    enclosed, or undecided, as where the factor is so large that no double is the integral's radius
 template <class Formula>
 Enclosure times_integral(const Ball& factor, const Formula& f, const Ball& from, const Ball& to,
                          const Demand& demand) {
-  const double size = abs(factor).upper_double();
-  const Enclosure integral = integral_on_interval(
-      line_function(f), from, to, {.radius = demand.radius / (2 * size), .work_limit = demand.work_limit});
+  const double radius =
+      std::min(demand.radius / (2 * abs(factor).upper_double()), std::numeric_limits<double>::max());
+  if (!(radius > 0)) {
+    constexpr const char* why = "the factor of an integral leaves no radius that double can hold";
+    return because(Undecided{.why = why, .reached = Ball::failed(why)});
+  }
+  const Enclosure integral =
+      integral_on_interval(line_function(f), from, to, {.radius = radius, .work_limit = demand.work_limit});
   if (!integral) return integral;
   return Enclosed{.value = factor * integral->value, .evaluations = integral->evaluations};
 }
