@@ -208,6 +208,21 @@ TEST(Guarantee, KnowsTheNormOfKForFormulasOfTheReflectivity) {
   EXPECT_EQ(on_cube.norm_K.value, 0.5);
 }
 
+TEST(Guarantee, OfAFunctionOnAnEllipsoidCountsHowItsValuesAreRounded) {
+  // u = E, of which no polynomial misses anything.
+  Problem problem = with_emission(sample_problem("sphere"), "1/3 + z^2 + x*y^3");
+  problem.reflectivity = everywhere("0");
+  const SolutionEnclosure enclosure =
+      solve_within(problem, {Rational(1, 1'000'000'000), EnclosedQuantity::function, {}}).second;
+  ASSERT_FALSE(enclosure.patches.empty());
+  for (const EnclosedPatch& patch : enclosure.patches)
+    for (std::size_t k = 0; k < patch.corners.size(); ++k) {
+      const Vector<double>& p = patch.corners[k];
+      EXPECT_GE(patch.bound, unit_roundoff<double>() * std::abs(patch.values[k]));
+      EXPECT_NEAR(patch.values[k], 1.0 / 3 + p.z * p.z + p.x * p.y * p.y * p.y, 1e-14);
+    }
+}
+
 TEST(Guarantee, RefusesOnEllipsoidsWhatIsNoPolynomial) {
   const auto fault = [](const char* emission, const char* rho, const Guarantee& guarantee) {
     const std::vector<SurfaceParameter> axes{{"a", 1}, {"b", Rational(13, 10)}, {"c", Rational(17, 10)}};

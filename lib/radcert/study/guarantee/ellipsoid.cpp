@@ -185,7 +185,9 @@ private:
         for (std::size_t k = 0; k < corners.size(); ++k) {
           const Vector<double>& p = corners[k];
           patch.corners[k] = {axes.x * p.x, axes.y * p.y, axes.z * p.z};
-          patch.values[k] = found.at(p).value;
+          const Approximation value = found.at(p);
+          patch.values[k] = value.value;
+          patch.bound = std::max(patch.bound, value.radius);
         }
         out.push_back(std::move(patch));
       }
