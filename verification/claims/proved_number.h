@@ -9,7 +9,7 @@
 #include "radcert/scalar/ball.h"
 #include "verification/framework/finding.h"
 
-namespace radcert::verification::ac98 {
+namespace radcert::verification {
 
 /// A ball as a number with a proved radius, for statements on doubles.
 /// Maths     value +- radius contains the ball
@@ -32,4 +32,4 @@ namespace radcert::verification::ac98 {
   return number ? number->value : number.reason().reached;
 }
 
-}  // namespace radcert::verification::ac98
+}  // namespace radcert::verification

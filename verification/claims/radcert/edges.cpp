@@ -21,6 +21,7 @@
 #include "radcert/closed_form/edge/edge_exponents.h"
 #include "radcert/core/contract.h"
 #include "radcert/reference/edge_symbol_integral.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::radcert {
@@ -115,16 +116,16 @@ Finding corner_exponents_certified(const Bench&) {
     LiesIn where;
   };
   const auto three = [](const Rational& rho) {
-    return enclosed_octant_exponent({rho, rho, rho}, Rational(1, 100)).value();
+    return enclosed_octant_exponent({rho, rho, rho}, Rational(1, 150)).value();
   };
-  const std::vector<Corner> corners{{Rational(1, 2), {Rational(733, 1000), Rational(757, 1000)}},
-                                    {Rational(9, 10), {Rational(444, 1000), Rational(468, 1000)}}};
+  const std::vector<Corner> corners{{Rational(1, 2), {Rational(735, 1000), Rational(755, 1000)}},
+                                    {Rational(9, 10), {Rational(446, 1000), Rational(466, 1000)}}};
   for (const auto& [rho, where] : corners) {
     const Ball g = three(rho);
     const std::string with = ", rho = " + rho.to_text();
     finding.require("g" + with, where, g);
     finding.require("b of the edges less g" + with, LiesIn{0, 1}, at_right_angles(rho) - g);
-    if (rho == Rational(1, 2)) finding.show(Approximation{g.to_double(), g.radius(), true});
+    if (rho == Rational(1, 2)) finding.show(proved(g));
   }
   finding.control("g, rho = 3/4, as that of 1/2", corners[0].where, three(Rational(3, 4)));
   return finding;

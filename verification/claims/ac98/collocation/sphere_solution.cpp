@@ -6,7 +6,7 @@
 
 #include "radcert/enclosure/kernel_integral.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 
 namespace radcert::verification::ac98 {
 

@@ -25,9 +25,9 @@
 #include "radcert/closed_form/two_squares.h"
 #include "verification/claims/ac98/compactness/kernel_derivative.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/roof_pair.h"
 #include "verification/claims/ac98/surfaces/two_piece_total.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

@@ -11,7 +11,7 @@
 
 #include "verification/claims/ac98/convex_bodies/ellipsoids.h"
 #include "verification/claims/ac98/surfaces/excluded_ball.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

@@ -19,8 +19,8 @@
 #include "radcert/surface/catalogue/two_piece.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
 #include "verification/claims/ac98/surfaces/polyhedra.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/two_piece_total.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

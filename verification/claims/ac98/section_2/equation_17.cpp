@@ -13,8 +13,8 @@
 // Not checked  compactness.
 
 #include "verification/claims/ac98/surfaces/face_angles.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/two_piece_total.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

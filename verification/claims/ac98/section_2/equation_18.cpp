@@ -19,8 +19,8 @@
 #include <algorithm>
 
 #include "verification/claims/ac98/collocation/sphere_solution.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/two_piece_total.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

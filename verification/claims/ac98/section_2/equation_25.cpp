@@ -33,8 +33,8 @@
 #include "radcert/closed_form/two_squares.h"
 #include "radcert/enclosure/interval_integral.h"
 #include "radcert/scalar/dual.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/unit_square_integrals.h"
+#include "verification/claims/proved_number.h"
 #include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 

@@ -21,8 +21,8 @@
 #include "radcert/geometry/vector.h"
 #include "verification/claims/ac98/convex_bodies/ellipsoids.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/smooth_bounds.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

@@ -24,8 +24,8 @@
 #include "radcert/surface/catalogue/two_piece.h"
 #include "verification/claims/ac98/convex_bodies/convex_polyhedra.h"
 #include "verification/claims/ac98/surfaces/polyhedra.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/solid_angle.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

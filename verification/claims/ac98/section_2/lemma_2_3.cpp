@@ -40,10 +40,10 @@
 #include "verification/claims/ac98/compactness/kernel_derivative.h"
 #include "verification/claims/ac98/surfaces/corner_derivative.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/roof_pair.h"
 #include "verification/claims/ac98/surfaces/smooth_bounds.h"
 #include "verification/claims/ac98/surfaces/sphere_algebra.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

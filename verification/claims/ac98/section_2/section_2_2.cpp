@@ -23,7 +23,7 @@
 #include "radcert/kernel/geometric_kernel.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
 #include "verification/claims/ac98/surfaces/polyhedra.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

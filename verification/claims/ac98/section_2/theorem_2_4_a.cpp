@@ -11,8 +11,8 @@
 // Not checked  surfaces other than the sphere: equation_18. (b).
 
 #include "verification/claims/ac98/collocation/sphere_solution.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/sphere_algebra.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

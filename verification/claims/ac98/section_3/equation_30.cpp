@@ -30,7 +30,7 @@
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
 #include "verification/claims/ac98/surfaces/exact_plane.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

@@ -19,7 +19,7 @@
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/polynomial/real_zeros.h"
 #include "verification/claims/ac98/collocation/differing_coefficients.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

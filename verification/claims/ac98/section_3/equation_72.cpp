@@ -31,8 +31,8 @@
 #include "radcert/surface/catalogue.h"
 #include "radcert/triangulation/triangulation.h"
 #include "verification/claims/ac98/collocation/interpolation_bounds.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/mean_value_bounds.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

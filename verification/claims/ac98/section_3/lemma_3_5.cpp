@@ -30,7 +30,7 @@
 #include "radcert/geometry/vector.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/scalar/dual.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

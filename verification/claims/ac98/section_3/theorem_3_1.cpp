@@ -20,8 +20,8 @@
 #include "verification/claims/ac98/collocation/element_function.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/two_piece_total.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/level_errors.h"
 
 namespace radcert::verification::ac98 {

@@ -20,8 +20,8 @@
 #include "radcert/polynomial/rational_polynomial.h"
 #include "radcert/polynomial/real_zeros.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/sphere_algebra.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

@@ -27,7 +27,7 @@
 #include "verification/claims/ac98/collocation/error_from_afar.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/level_errors.h"
 
 namespace radcert::verification::ac98 {

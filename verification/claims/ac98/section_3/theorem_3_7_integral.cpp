@@ -35,7 +35,7 @@
 #include "radcert/triangulation/triangulation.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/collocation/sphere_collocation.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

@@ -32,7 +32,7 @@
 #include "radcert/study/study.h"
 #include "verification/claims/ac98/collocation/edge_value.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/fine_levels.h"
 #include "verification/framework/level_errors.h"
 

@@ -15,6 +15,7 @@
 
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/enclosed_means.h"
+#include "verification/claims/proved_number.h"
 
 namespace radcert::verification::ac98 {
 
@@ -26,8 +27,7 @@ Finding equation_82_cube(const Bench& bench) {
   const std::vector<int> levels = levels_from(1, 4);
   const Problem linear = quartic_emission_on_the_cube(1, Rational(1, 6));
   Finding finding;
-  finding.remark("the mean of u over the floor",
-                 Approximation{.value = mean.to_double(), .radius = mean.radius(), .guaranteed = true});
+  finding.remark("the mean of u over the floor", proved(mean));
   finding.remark("1 + b", Approximation{.value = of_the_edge, .radius = 1e-8, .guaranteed = true});
   const LevelErrors errors = floor_errors(bench, linear, mean, levels);
   finding.remark("error of the mean at the last level", errors.errors.back());

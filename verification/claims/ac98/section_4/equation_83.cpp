@@ -30,7 +30,7 @@
 #include "radcert/scalar/real.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/surfaces/exact_plane.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/level_errors.h"
 
 namespace radcert::verification::ac98 {

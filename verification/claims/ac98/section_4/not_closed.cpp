@@ -13,8 +13,8 @@
 // Not checked  that I - K is invertible on the cube with the hole.
 
 #include "verification/claims/ac98/surfaces/polyhedra.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/two_piece_total.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

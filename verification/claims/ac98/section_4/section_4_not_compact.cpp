@@ -24,7 +24,7 @@
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/scalar/functions/beta_function.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

@@ -26,9 +26,9 @@
 #include "verification/claims/ac98/collocation/inverse_norm.h"
 #include "verification/claims/ac98/collocation/known_problems.h"
 #include "verification/claims/ac98/surfaces/polyhedra.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/operator_algebra.h"
 #include "verification/claims/operator_identities.h"
+#include "verification/claims/proved_number.h"
 #include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 

@@ -15,7 +15,7 @@
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/triangulation/interpolated_surface.h"
 #include "verification/claims/ac98/collocation/inverse_norm.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::ac98 {

@@ -40,7 +40,7 @@
 #include "radcert/enclosure/interval_integral.h"
 #include "verification/claims/ac98/compactness/kernel_derivative.h"
 #include "verification/claims/ac98/surfaces/exact_identity.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 
 namespace radcert::verification::ac98 {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "radcert/enclosure/interval_integral.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 
 namespace radcert::verification::ac98 {
 namespace {

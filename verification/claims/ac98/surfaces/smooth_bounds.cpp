@@ -10,8 +10,8 @@
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/roof_pair.h"
+#include "verification/claims/proved_number.h"
 
 namespace radcert::verification::ac98 {
 namespace {

@@ -8,8 +8,8 @@
 #include "radcert/enclosure/maximum.h"
 #include "radcert/scalar/complex_ball.h"
 #include "radcert/scalar/dual.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/roof_pair.h"
+#include "verification/claims/proved_number.h"
 
 namespace radcert::verification::ac98 {
 namespace {

@@ -22,14 +22,12 @@
 // Not checked  other surfaces.
 
 #include "radcert/enclosure/interval_integral.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/smooth_bounds.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {
-
-using ac98::proved;
 
 Ball reflectivity() { return Ball(Rational(1, 2)); }
 
@@ -37,7 +35,7 @@ Ball reflectivity() { return Ball(Rational(1, 2)); }
 Ball largest_on_the_roof() { return ac98::roof_bounds(2, 1e-6).kernel; }
 Ball area_of_the_roof() {
   const auto element = line_function([]<class R>(const R& x) -> R { return sqrt(R(1) + R(4) * x * x); });
-  return ac98::known(integral_on_interval(element, Ball(0), Ball(1), {.radius = 1e-20}));
+  return known(integral_on_interval(element, Ball(0), Ball(1), {.radius = 1e-20}));
 }
 
 // The norm of Hilbert and Schmidt for a bound of G and the areas of both points' pieces.
@@ -73,7 +71,7 @@ Ball cut_off_at_an_edge(const Rational& delta) {
     return eta * z * (reach / (square * (reach * reach + square)) + atan(reach / r) / (square * r));
   });
   return reflectivity() / Ball::pi() *
-         ac98::known(integral_on_interval(kernel, Ball(0), Ball(delta / 2), {.radius = 1e-12}));
+         known(integral_on_interval(kernel, Ball(0), Ball(delta / 2), {.radius = 1e-12}));
 }
 
 }  // namespace

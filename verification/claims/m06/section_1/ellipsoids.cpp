@@ -24,8 +24,8 @@
 
 #include "radcert/enclosure/polygon_integral.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/m06/rank_one_inverse.h"
+#include "verification/claims/proved_number.h"
 #include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
@@ -91,8 +91,7 @@ Ball area_of_sphere(int radius) {
   const Surface surface = ellipsoid(radius, radius, radius);
   Ball area = 0;
   for (const Chart& chart : surface.charts)
-    area +=
-        ac98::known(integral_over_polygon(AreaElement{&chart}, {{0, 0}, {1, 0}, {0, 1}}, {.radius = 1e-20}));
+    area += known(integral_over_polygon(AreaElement{&chart}, {{0, 0}, {1, 0}, {0, 1}}, {.radius = 1e-20}));
   return area;
 }
 

@@ -17,8 +17,8 @@
 #include "radcert/enclosure/kernel_integral.h"
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/surface/catalogue/torus.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/m06/section_1/non_convex_bodies.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -36,9 +36,8 @@ void require_on(Finding& finding, const NonConvexBody& body) {
 
 Ball torus_total(std::size_t chart, double radius) {
   const Rational third(1, 3);
-  return ac98::known(
-      kernel_integral(ExactObserver::on_surface({{.chart = chart, .at = {third, Rational(2, 5)}}}),
-                      torus(1, Rational(1, 2)), unit_density(), {.radius = radius}));
+  return known(kernel_integral(ExactObserver::on_surface({{.chart = chart, .at = {third, Rational(2, 5)}}}),
+                               torus(1, Rational(1, 2)), unit_density(), {.radius = radius}));
 }
 
 /// The least G between points of two faces, times the lengths of their normals, which are positive.
@@ -96,13 +95,13 @@ Finding lemma_1_c_not_convex(const Bench& bench) {
   const AtMost negative{.value = -0x1p-20, .slack = 0, .why = ""};
   for (const NonConvexBody& body : {room, octahedron})
     finding.require("the least G between points of faces, times a positive number, " + body.name, negative,
-                    ac98::proved(Ball(least_scaled_kernel(body))));
+                    proved(Ball(least_scaled_kernel(body))));
   finding.require("G between the outermost and the opposite innermost point of the torus", negative,
-                  ac98::proved(torus_kernel()));
+                  proved(torus_kernel()));
   finding.control("G between floor and ceiling of the L-shaped room", negative,
-                  ac98::proved(Ball(geometric_kernel(point_of_face(room, 0, 0), room.faces[0].normal(),
-                                                     point_of_face(room, 1, 0), room.faces[1].normal()))));
-  finding.show(ac98::proved(torus_kernel()));
+                  proved(Ball(geometric_kernel(point_of_face(room, 0, 0), room.faces[0].normal(),
+                                               point_of_face(room, 1, 0), room.faces[1].normal()))));
+  finding.show(proved(torus_kernel()));
   return finding;
 }
 

@@ -24,13 +24,11 @@
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/surface/catalogue/two_piece.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {
-
-using ac98::proved;
 
 // The first Taylor coefficients in tau.
 constexpr std::size_t terms = 4;

@@ -26,14 +26,12 @@
 #include "radcert/kernel/geometric_kernel.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/two_piece.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/sample_points.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {
-
-using ac98::proved;
 
 // The share of the light that arrives which a constant distribution function gives back: 2 pi f Int_0^(pi/2)
 // cos theta sin theta d theta, or without the cosine.
@@ -43,7 +41,7 @@ Ball given_back(const Ball& f, bool with_cosine) {
   });
   const Ball right_angle = Ball::pi() / Ball(2);
   return Ball(2) * Ball::pi() * f *
-         ac98::known(integral_on_interval(formula, Ball(0), right_angle, {.radius = 1e-25}));
+         known(integral_on_interval(formula, Ball(0), right_angle, {.radius = 1e-25}));
 }
 
 // By a name: a point, its inner normal up to a positive factor.

@@ -17,8 +17,8 @@
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/octahedron.h"
 #include "radcert/surface/catalogue/two_piece.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/m06/section_2/symmetric_refinement.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -121,7 +121,7 @@ Finding equation_12_affine(const Bench&) {
                   off_the_middle(plane.charts[0], false));
   finding.control("the same on that face after (s,t) -> (s^2,t)", zero,
                   off_the_middle(plane.charts[0], true));
-  finding.show(ac98::proved(off));
+  finding.show(proved(off));
   return finding;
 }
 

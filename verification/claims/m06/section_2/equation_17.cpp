@@ -17,8 +17,8 @@
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "verification/claims/ac98/collocation/differing_coefficients.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/m06/section_2/lattice_functions.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -91,16 +91,16 @@ Finding equation_17(const Bench& bench) {
                     AgreesWith{.value = Ball(at_a_corner(functions)), .within = within}, enclosed);
     const AtMost not_above{};
     finding.require("norm of P_n less f_r (2r/(1 - 3 alpha))^r" + of, not_above,
-                    ac98::proved(enclosed - Ball(bound(r, tenth))));
+                    proved(enclosed - Ball(bound(r, tenth))));
     finding.control("norm of P_n for alpha = 33333/100000 less that bound" + of, not_above,
-                    ac98::proved(norm(functions_at(r, Rational(33333, 100000)), 1) - Ball(bound(r, tenth))));
+                    proved(norm(functions_at(r, Rational(33333, 100000)), 1) - Ball(bound(r, tenth))));
     if (r > 1) {
       const LagrangeFunctions on_border = functions_at(r, 0);
       finding.control("norm of P_n against sum |l_j| at a corner, alpha = 0, r = " + std::to_string(r),
                       AgreesWith{.value = Ball(at_a_corner(on_border)), .within = within},
                       norm(on_border, tolerance));
     }
-    finding.remark("norm of P_n" + of, ac98::proved(enclosed));
+    finding.remark("norm of P_n" + of, proved(enclosed));
   }
   return finding;
 }

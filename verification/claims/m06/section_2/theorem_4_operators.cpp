@@ -20,8 +20,8 @@
 
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/m06/rank_one_inverse.h"
+#include "verification/claims/proved_number.h"
 #include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
@@ -95,7 +95,7 @@ Finding theorem_4_continuous(const Bench&) {
                   jump(Reflectivity::constant, sixth, Rational(1, 2)));
   finding.control("jump of P_n K 1, alpha = 0, rho = 1/4 above and 1/2 below", zero,
                   jump(Reflectivity::jumping, 0, Rational(1, 2)));
-  finding.show(ac98::proved(jump(Reflectivity::varying, sixth, Rational(1, 2))));
+  finding.show(proved(jump(Reflectivity::varying, sixth, Rational(1, 2))));
   return finding;
 }
 

@@ -19,7 +19,7 @@
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/octahedron.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -78,7 +78,7 @@ Finding equation_34(const Bench&) {
   finding.instead("the same less (pi/2 - sqrt 2)/4", zero, printed - (octant - sqrt(Ball(2))) / Ball(4));
   finding.control("1/4 J (I - L) x over an octant of the sphere: u = x is not interpolated exactly", zero,
                   error_of_x(curved.charts[0]));
-  finding.show(ac98::proved(printed));
+  finding.show(proved(printed));
   return finding;
 }
 

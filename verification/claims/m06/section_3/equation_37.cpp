@@ -26,7 +26,7 @@
 //              h that an element holds.
 
 #include "radcert/enclosure/interval_integral.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -49,8 +49,7 @@ Ball integral(const Distances& s, int j, const Rational& h) {
   const auto f = line_function([j]<class R>(const R& t) -> R {
     return j == 0 ? t : j == 1 ? R(1) : R(1) / t;
   });
-  return Ball(2) * s.area *
-         ac98::known(integral_on_interval(f, Ball(h), Ball(s.diameter), {.radius = 1e-25}));
+  return Ball(2) * s.area * known(integral_on_interval(f, Ball(h), Ball(s.diameter), {.radius = 1e-25}));
 }
 
 // area [(D^2 - h^2) + 2 (D - h) + 2 log(D/h)].
@@ -96,17 +95,17 @@ Finding equation_37(const Bench&) {
   // 8 pi for the disk; for A(t) <= 4 pi t^2 and D = 2, 4 (9 - h + 2 log(2/h)) at h = 1/2 is below 68 log 2.
   for (const auto& [s, factor] : {std::pair{plane(), 8}, {unit_sphere(), 20}, {convex(), 68}}) {
     const std::string of = std::to_string(factor) + " pi |log h|, " + s.name;
-    finding.require("sum less " + of + ", h = 1/2", not_above, ac98::proved(-room_at_a_half(s, factor)));
+    finding.require("sum less " + of + ", h = 1/2", not_above, proved(-room_at_a_half(s, factor)));
     for (const Rational& h : {Rational(0), Rational(1, 2)})
       finding.require(
           "h times the derivative of " + of + ", less the sum, at an end of [0, 1/2], h = " + h.to_text(),
-          not_above, ac98::proved(slope_at(s, factor, h)));
+          not_above, proved(slope_at(s, factor, h)));
     const Rational small = 1 / power(Rational(2), 400);
     finding.control("sum less " + std::to_string(factor) + " pi, h = 2^-400, " + s.name, not_above,
-                    ac98::proved(closed_form(s, small) - Ball(factor) * Ball::pi()));
+                    proved(closed_form(s, small) - Ball(factor) * Ball::pi()));
     finding.control(
         "first integral less " + std::to_string(factor) + " pi h^2, h = 1/16, " + s.name, not_above,
-        ac98::proved(integral(s, 0, Rational(1, 16)) - Ball(factor) * Ball::pi() * Ball(Rational(1, 256))));
+        proved(integral(s, 0, Rational(1, 16)) - Ball(factor) * Ball::pi() * Ball(Rational(1, 256))));
   }
   return finding;
 }

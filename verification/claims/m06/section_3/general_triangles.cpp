@@ -21,9 +21,9 @@
 #include <algorithm>
 
 #include "verification/claims/ac98/surfaces/exact_plane.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/m06/section_3/interpolation_error.h"
 #include "verification/claims/mean_value_bounds.h"
+#include "verification/claims/proved_number.h"
 #include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
@@ -99,7 +99,7 @@ Finding remark_general_triangles(const Bench&) {
   Ball constant = 0;
   for (const Ball& factor : interpolation_factors<Ball>(1, 1, sqrt(Ball(2)), sqrt(Ball(2))))
     constant = max(constant, Ball(Rational(10, 3)) * factor);
-  finding.remark("constant of (31) on any triangle, r = 1", ac98::proved(constant));
+  finding.remark("constant of (31) on any triangle, r = 1", proved(constant));
   const AtMost not_above{};
   const Rational small(1, 1000);
   for (const int k : {0, 5, 20}) {
@@ -108,10 +108,9 @@ Finding remark_general_triangles(const Bench&) {
     for (const Rational& length : {Rational(1), small})
       finding.require(
           "largest quotient of both sides of (31) less the constant, length " + length.to_text() + of,
-          not_above, ac98::proved(Ball(largest_quotient(Rational(1, 6), thin, length)) - constant));
-    finding.control(
-        "the same for alpha = 1/10, length 1/100000" + of, not_above,
-        ac98::proved(Ball(largest_quotient(Rational(1, 10), thin, Rational(1, 100000))) - constant));
+          not_above, proved(Ball(largest_quotient(Rational(1, 6), thin, length)) - constant));
+    finding.control("the same for alpha = 1/10, length 1/100000" + of, not_above,
+                    proved(Ball(largest_quotient(Rational(1, 10), thin, Rational(1, 100000))) - constant));
   }
   return finding;
 }

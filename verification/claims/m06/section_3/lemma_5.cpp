@@ -34,15 +34,13 @@
 #include "radcert/polynomial/basis_facts.h"
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/m06/section_3/interpolation_error.h"
 #include "verification/claims/mean_value_bounds.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
 namespace {
-
-using ac98::proved;
 
 // Of which alpha_0 is a zero.
 RationalPolynomial polynomial_of_alpha_0(int r) {
@@ -137,11 +135,11 @@ Ball quotient(int r, const Ball& alpha, Over region, int gained, const Rational&
   const int highest = r + 1 + gained;
   const Demand demand{.radius = 1e-10 * power(h.to_double(), highest)};
   const bool is_square = region == Over::square;
-  Ball left = ac98::known(integral_over_polygon(Integrand{r, alpha, h}, sigma, demand));
-  Ball size = ac98::known(integral_over_polygon(SizeOfPhi{gained, h}, sigma, {.radius = 1e-12}));
+  Ball left = known(integral_over_polygon(Integrand{r, alpha, h}, sigma, demand));
+  Ball size = known(integral_over_polygon(SizeOfPhi{gained, h}, sigma, {.radius = 1e-12}));
   if (region != Over::triangle) {
-    left += ac98::known(integral_over_polygon(Integrand{r, alpha, h, is_square, !is_square}, sigma, demand));
-    size += ac98::known(integral_over_polygon(SizeOfPhi{gained, h, is_square}, sigma, {.radius = 1e-12}));
+    left += known(integral_over_polygon(Integrand{r, alpha, h, is_square, !is_square}, sigma, demand));
+    size += known(integral_over_polygon(SizeOfPhi{gained, h, is_square}, sigma, {.radius = 1e-12}));
   }
   const Ball of_g = power(Ball(2), highest) * exp(Ball((is_square ? 3 : 2) * h));
   return abs(left) / (Ball(power(h, highest)) * size * of_g);

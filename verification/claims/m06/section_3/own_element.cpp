@@ -19,10 +19,10 @@
 #include "radcert/polynomial/inset_basis.h"
 #include "radcert/polynomial/lebesgue_constant.h"
 #include "radcert/surface/catalogue/two_piece.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/ac98/surfaces/smooth_bounds.h"
 #include "verification/claims/m06/kernel_error.h"
 #include "verification/claims/mean_value_bounds.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -91,7 +91,7 @@ Ball integral(const Element& element, const Parameters& node, double accuracy = 
                          .in_models = [f](const TaylorModel& x, const TaylorModel& y) { return f(x, y); }});
   }
   const double small = accuracy * power(element.leg.to_double(), element.r + 3);
-  return ac98::known(integral_over_squares(functions, {.radius = small}));
+  return known(integral_over_squares(functions, {.radius = small}));
 }
 
 // The same by a conical rule that is collapsed at the node and knows the library's charts alone.
@@ -139,15 +139,14 @@ Finding theorem_7_own_element(const Bench&) {
     finding.require("own element's error, l = 1/4, against a conical rule" + of, rule, error);
     finding.control("that from another node against the same" + of, rule, integral(large, other, 1e-7));
     finding.require("own element's error over its bound, less 1, l = 1/4" + of, not_above,
-                    ac98::proved(quotient(error, bound(large))));
+                    proved(quotient(error, bound(large))));
     const Element medium{r, alpha, 1 / power(Rational(2), 10)};
-    finding.require(
-        "own element's error over its bound, less 1, l = 2^-10" + of, not_above,
-        ac98::proved(quotient(integral(medium, medium.at(medium.nodes().front())), bound(medium))));
+    finding.require("own element's error over its bound, less 1, l = 2^-10" + of, not_above,
+                    proved(quotient(integral(medium, medium.at(medium.nodes().front())), bound(medium))));
     const Element small{r, alpha, 1 / power(Rational(2), 20)};
     const Element fewer{r - 1, alpha, small.leg};
     finding.control("the same for nodes of degree r - 1, l = 2^-20" + of, not_above,
-                    ac98::proved(quotient(integral(fewer, small.at(small.nodes().front())), bound(small))));
+                    proved(quotient(integral(fewer, small.at(small.nodes().front())), bound(small))));
   }
   return finding;
 }

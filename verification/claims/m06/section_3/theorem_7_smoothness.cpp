@@ -17,7 +17,7 @@
 #include <cmath>
 
 #include "radcert/polynomial/nodes/superconvergent_inset.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::m06 {
@@ -91,7 +91,7 @@ ObservedOrder order(const CellRule& rule, int p, int level) {
   LevelErrors errors;
   for (int l = level; l < level + 3; ++l) {
     errors.mesh_sizes.push_back(std::ldexp(1.0, -l));
-    errors.errors.push_back(ac98::proved(abs(left_over(rule, p, l))));
+    errors.errors.push_back(proved(abs(left_over(rule, p, l))));
   }
   return observed_order(errors, {.logarithm = true});
 }
@@ -107,9 +107,9 @@ Finding theorem_7_smoothness(const Bench&) {
     const std::string of = ", r = " + std::to_string(r);
     finding.require("2^-ip |m_i|, i >= 1, summed, less |m_0|, p = r + 2" + of,
                     AtMost{.value = 0, .slack = 0, .why = "|E_L| is at least c h^p/L^2 for all L"},
-                    ac98::proved(-margin(rule, r + 2)));
+                    proved(-margin(rule, r + 2)));
     finding.control("2^-ip |m_i|, i >= 1, summed, less |m_0|, p = 0" + of,
-                    AtMost{.value = 0, .slack = 0, .why = ""}, ac98::proved(-margin(rule, 0)));
+                    AtMost{.value = 0, .slack = 0, .why = ""}, proved(-margin(rule, 0)));
     for (int level = 1; level <= 6; ++level) {
       const std::string at = of + ", h = 2^-" + std::to_string(level);
       const AgreesWith formula{.value = left_over(rule, r + 2, level), .within = 1e-20};

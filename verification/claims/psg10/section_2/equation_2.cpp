@@ -22,7 +22,7 @@
 #include <string>
 
 #include "radcert/enclosure/interval_integral.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
@@ -69,15 +69,15 @@ Demand demand() { return {.radius = 1e-24}; }
 
 /// Int H dv over the directions with a cosine between `least` and 1.
 Ball over_directions(const Ball& least) {
-  return ac98::known(
+  return known(
              integral_on_interval(line_function([](const auto& c) { return c; }), least, Ball(1), demand())) *
          Ball(2) * Ball::pi();
 }
 
 /// Int dv over the same directions: light that is received without Lambert's cosine.
 Ball solid_angle(const Ball& least) {
-  return ac98::known(integral_on_interval(line_function([](const auto& c) { return c - c + 1; }), least,
-                                          Ball(1), demand())) *
+  return known(integral_on_interval(line_function([](const auto& c) { return c - c + 1; }), least, Ball(1),
+                                    demand())) *
          Ball(2) * Ball::pi();
 }
 
@@ -87,14 +87,14 @@ Ball over_disk() {
     const auto square = u * u + 1;
     return u / (square * square);
   };
-  return ac98::known(integral_on_interval(line_function(integrand), Ball(0), Ball(2), demand())) * Ball(2) *
+  return known(integral_on_interval(line_function(integrand), Ball(0), Ball(2), demand())) * Ball(2) *
          Ball::pi();
 }
 
 /// Int dy/d^2 over the same disk: neither cosine.
 Ball over_disk_without_cosines() {
   const auto integrand = [](const auto& u) { return u / (u * u + 1); };
-  return ac98::known(integral_on_interval(line_function(integrand), Ball(0), Ball(2), demand())) * Ball(2) *
+  return known(integral_on_interval(line_function(integrand), Ball(0), Ball(2), demand())) * Ball(2) *
          Ball::pi();
 }
 
@@ -187,8 +187,8 @@ Finding equation_4(const Bench&) {
   const AgreesWith none{.value = Ball(0), .within = 1e-20};
   finding.require("Int G over the disk less Int H dv, dv from the mean to the area", none,
                   hull(printed - by_mean, printed - by_area));
-  finding.remark("Int G over the disk less Int H dv, dv the area", ac98::proved(printed - by_area));
-  finding.remark("Int G over the disk less Int H dv, dv the mean", ac98::proved(printed - by_mean));
+  finding.remark("Int G over the disk less Int H dv, dv the area", proved(printed - by_area));
+  finding.remark("Int G over the disk less Int H dv, dv the mean", proved(printed - by_mean));
   finding.instead("Int 4 pi G over the disk, (5) without the 1/(4 pi)", by_directions, over_disk());
   finding.control("Int 1/(4 pi d^2) over the disk, without the cosines", by_directions,
                   over_disk_without_cosines() * factor_of_5());

@@ -20,7 +20,7 @@
 
 #include "radcert/enclosure/interval_integral.h"
 #include "radcert/scalar/dual.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
 
@@ -37,14 +37,13 @@ Demand demand() { return {.radius = 1e-24}; }
 /// 2 pi Int f(c) dc, light of all azimuths, by the cosine c.
 template <class Light>
 Ball over_cosines(const Light& f, const Ball& from, const Ball& to) {
-  return Ball(2) * Ball::pi() * ac98::known(integral_on_interval(line_function(f), from, to, demand()));
+  return Ball(2) * Ball::pi() * known(integral_on_interval(line_function(f), from, to, demand()));
 }
 
 /// 2 pi Int f(u) du over the disk of radius 2 at the depth 1.
 template <class Light>
 Ball over_disk(const Light& f) {
-  return Ball(2) * Ball::pi() *
-         ac98::known(integral_on_interval(line_function(f), Ball(0), Ball(2), demand()));
+  return Ball(2) * Ball::pi() * known(integral_on_interval(line_function(f), Ball(0), Ball(2), demand()));
 }
 
 /// F(u) = u^2/(u^2 + h^2) in any arithmetic.
@@ -59,7 +58,7 @@ Finding section_2_translucent(const Bench&) {
   const BallPrecision precision(160);
   const AtMost nothing_less{.value = 0, .slack = 0, .why = "light takes nothing away"};
   const auto minus_received = [](const auto& light, const Ball& from, const Ball& to) {
-    return ac98::proved(-over_cosines(light, from, to));
+    return proved(-over_cosines(light, from, to));
   };
   Finding finding;
   finding.require("minus the light that arrives, light 1 from behind, H = n.v", nothing_less,

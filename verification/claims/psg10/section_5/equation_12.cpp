@@ -20,13 +20,11 @@
 #include <cmath>
 
 #include "radcert/meshless/weights.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
 namespace {
-
-using ac98::proved;
 
 AtMost half_a_grey_level() { return {.value = 1.0 / 510, .slack = 0, .why = "half a grey level of 255"}; }
 

@@ -25,7 +25,7 @@
 #include <vector>
 
 #include "radcert/meshless/radial_element.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/claims/psg10/element_lists.h"
 #include "verification/claims/psg10/exact_sites.h"
 #include "verification/claims/rational_function.h"
@@ -283,7 +283,7 @@ Finding equation_18(const Bench&) {
 Finding figure_6(const Bench&) {
   const BallPrecision precision(128);
   const AtMost regular{.value = -1e-12, .slack = 0, .why = "not 0: far beyond the radii"};
-  const auto minus_size = [](const BallMatrix4& a) { return ac98::proved(-abs(determinant(a))); };
+  const auto minus_size = [](const BallMatrix4& a) { return proved(-abs(determinant(a))); };
   const BallMatrix4 shepard = in_balls(shepard_matrix());
   const BallMatrix4 lehtinen = in_balls(lehtinen_matrix());
   const BallMatrix4 gaussian = gaussian_matrix();
@@ -303,7 +303,7 @@ Finding figure_6_values(const Bench&) {
   // The values are coefficients, or what is interpolated: then the matrix, which is regular, gives f the
   // values.
   const auto by_both_readings = [](const Ball& as_coefficients) {
-    return ac98::proved(hull(Ball(0), as_coefficients));
+    return proved(hull(Ball(0), as_coefficients));
   };
   const Ball shepard = largest_miss(in_balls(shepard_matrix()));
   const Ball lehtinen = largest_miss(in_balls(lehtinen_matrix()));
@@ -312,10 +312,10 @@ Finding figure_6_values(const Bench&) {
   finding.require("largest miss at a site, Shepard, by either reading", seen, by_both_readings(shepard));
   finding.require("largest miss at a site, Lehtinen, by either reading", seen, by_both_readings(lehtinen));
   finding.require("largest miss at a site, Gauss, by either reading", seen, by_both_readings(gaussian));
-  finding.remark("largest miss at a site, Lehtinen, the values as coefficients", ac98::proved(lehtinen));
-  finding.remark("largest miss at a site, Gauss, the values as coefficients", ac98::proved(gaussian));
+  finding.remark("largest miss at a site, Lehtinen, the values as coefficients", proved(lehtinen));
+  finding.remark("largest miss at a site, Gauss, the values as coefficients", proved(gaussian));
   finding.control("largest miss beside the sites by 1/4, Shepard", seen,
-                  ac98::proved(largest_miss(in_balls(shepard_matrix(Rational(1, 4))))));
+                  proved(largest_miss(in_balls(shepard_matrix(Rational(1, 4))))));
   return finding;
 }
 

@@ -15,7 +15,7 @@
 
 #include "radcert/enclosure/interval_integral.h"
 #include "radcert/meshless/weights.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::psg10 {
@@ -29,8 +29,8 @@ Ball defect(const Rational& alpha, const Rational& distance) {
     const R square = u * u + R(distance * distance);
     return R((R(2) * x * x * x - R(3) * x * x + R(1)) * u * R(distance * distance) / (square * square));
   };
-  const Ball of_element = Ball(2) * ac98::known(integral_on_interval(line_function(light), Ball(0),
-                                                                     Ball(alpha), {.radius = 1e-24}));
+  const Ball of_element =
+      Ball(2) * known(integral_on_interval(line_function(light), Ball(0), Ball(alpha), {.radius = 1e-24}));
   const Ball weight = plane_integral(spline_mother()).value() * Ball(alpha * alpha);
   return Ball(1) - of_element * Ball::pi() * Ball(distance * distance) / weight;
 }

@@ -7,7 +7,7 @@
 //              exactly, and 2 pi (1 - e^-8) of G cut at 4, by enclosed quadrature. Rejected: elements on a
 //              line in the place of the plane. Dense sites on the paper's scene: the sum of constant alpha^2
 //              over that of the integrals less 1 falls like the separation on the disk, as the share of its
-//              rim, exponent in [7/10, 13/10], and at least so on the sphere; rejected for the quotient
+//              rim, exponent above 1/2 and below 3/2, and at least so on the sphere; rejected for the quotient
 //              itself. At the paper's separation 3 it is cut up by place. "expected value 1/delta": the sum
 //              of a rule's values of the integrals of elements that sum to 1 is the area, for any rule and
 //              values, by induction on elements and points; rejected for elements of any sum. pi alpha^2/t
@@ -33,8 +33,8 @@
 #include "radcert/meshless/sampling.h"
 #include "radcert/meshless/weights.h"
 #include "radcert/surface/catalogue/rectangle.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
 #include "verification/claims/induction.h"
+#include "verification/claims/proved_number.h"
 #include "verification/claims/psg10/section_7/sites_on_scene.h"
 #include "verification/claims/rational_function.h"
 #include "verification/framework/check.h"
@@ -116,7 +116,7 @@ Ball gaussian_integral(bool on_line) {
     return on_line ? bell : R(bell * r);
   };
   return Ball(2) * (on_line ? Ball(1) : Ball::pi()) *
-         ac98::known(integral_on_interval(line_function(integrand), Ball(0), Ball(4), {.radius = 1e-24}));
+         known(integral_on_interval(line_function(integrand), Ball(0), Ball(4), {.radius = 1e-24}));
 }
 
 /// c alpha^2 over w_j for Gauss' elements of sites of a separation: sums over the sites of the sphere, of the

@@ -18,7 +18,7 @@
 #include <array>
 
 #include "radcert/enclosure/interval_integral.h"
-#include "verification/claims/ac98/surfaces/proved_number.h"
+#include "verification/claims/proved_number.h"
 #include "verification/claims/psg10/exact_scene.h"
 #include "verification/claims/psg10/section_8/ray_on_sphere.h"
 #include "verification/framework/check.h"
@@ -101,8 +101,8 @@ Ball caught(const Ball& radius, bool with_slope) {
     return with_slope ? sin(zeta) * ring : ring;
   };
   return Ball(2) * Ball::pi() * radius * radius *
-         ac98::known(integral_on_interval(line_function(integrand), Ball(0), Ball::pi() / Ball(2),
-                                          {.radius = 1e-24}));
+         known(integral_on_interval(line_function(integrand), Ball(0), Ball::pi() / Ball(2),
+                                    {.radius = 1e-24}));
 }
 
 }  // namespace
