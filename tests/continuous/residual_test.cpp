@@ -123,8 +123,8 @@ TEST(ResidualSums, SeeAConstantErrorWhereRhoIsAPolynomial) {
 }
 
 TEST(ResidualSums, TakeProductsWithQExactly) {
-  // E = 0, and q is 0 but on the sector at the first side of one face, where it is 2 t - 1. That face does not see
-  // itself: Int w t = -Int rho q^2. In its plane rho = y^d/2, and y = t/2 on the sector.
+  // E = 0, and q is 0 but on the sector at the first side of one face, where it is 2 t - 1. That face does
+  // not see itself: Int w t = -Int rho q^2. In its plane rho = y^d/2, and y = t/2 on the sector.
   const SectorScene scene(panels_of("cube"));
   const std::vector<SectorElement> elements = graded_elements(scene, 1);
   for (const int d : {1, 2, 3}) {

@@ -14,8 +14,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// phi of VertexDisks for a disk of radius a, D or more away.
-/// Result    rounded up: with x = sin alpha the sine's inverse, the root and the products are off by 4 u x in all,
-///           beside which little is left of a small phi
+/// Result    rounded up: with x = sin alpha the sine's inverse, the root and the products are off by 4 u x in
+///           all, beside which little is left of a small phi
 double half_cone(double a, double D) {
   if (a > D) return 1;
   const double x = std::min(1.0, a / D * upward);

@@ -11,13 +11,13 @@ namespace radcert {
 
 /// The surface near its vertices, where a solution is no smooth function of the place.
 /// Maths     B(a): the points of the surface within a of a vertex. T 1_B(a)(P) is Int cos/pi over the
-///           directions from P in which a point of B(a) is seen. A vertex V at the distance D from P: they lie
-///           in the cone about V of half the angle alpha, sin alpha = a/D. V in the plane of P: before it lies
-///           half of the cone, whose orthogonal projection is the part x >= cos alpha of the unit disk: phi =
-///           (alpha - sin alpha cos alpha)/pi, 1/2 at most for a <= D, and 1 where a > D. phi <= (a/D)^3/2,
-///           since phi/sin^3 alpha grows with alpha. V at the height H of that plane, on either side: no set of
-///           directions of that size brings more than the cone about the normal: (a/D)^2 <= (a/H)^2. One
-///           vertex at most is nearer than half the least distance of two
+///           directions from P in which a point of B(a) is seen. A vertex V at the distance D from P: they
+///           lie in the cone about V of half the angle alpha, sin alpha = a/D. V in the plane of P: before it
+///           lies half of the cone, whose orthogonal projection is the part x >= cos alpha of the unit disk:
+///           phi = (alpha - sin alpha cos alpha)/pi, 1/2 at most for a <= D, and 1 where a > D. phi <=
+///           (a/D)^3/2, since phi/sin^3 alpha grows with alpha. V at the height H of that plane, on either
+///           side: no set of directions of that size brings more than the cone about the normal: (a/D)^2 <=
+///           (a/H)^2. One vertex at most is nearer than half the least distance of two
 /// Source    Nusselt's projection
 /// Requires  the scene outlives it
 /// Result    bounds rounded to the safe side

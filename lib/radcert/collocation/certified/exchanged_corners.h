@@ -13,8 +13,8 @@ namespace radcert {
 
 /// The place of each node when the second and third barycentric coordinates change places, if that is a
 /// permutation of the nodes and of their functions.
-/// Maths     l_j(x1,x3,x2) = l_place[j](x1,x2,x3): that the nodes are symmetric does not make a space of one's
-///           own so
+/// Maths     l_j(x1,x3,x2) = l_place[j](x1,x2,x3): that the nodes are symmetric does not make a space of
+///           one's own so
 /// Requires  nothing
 /// Result    exact
 [[nodiscard]] std::optional<std::vector<std::size_t>> places_when_exchanged(

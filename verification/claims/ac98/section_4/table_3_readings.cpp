@@ -14,9 +14,10 @@
 //
 // Checked      table_3_readings: all 24 readings of E_n and all 48 of the errors, on S(3) with u = x^2 + y^2
 //              + z^2, alpha = 1/6, against the printed cells. The reading of README.md keeps each cell to
-//              within one and a half units of its last digit, and each other one misses some cell by more. Of the five
-//              cells that this reading does not meet those of n = 16 are met by none, and the others by none
-//              that is within a unit elsewhere. Two orders of the rules give the radii, which are estimates.
+//              within one and a half units of its last digit, and each other one misses some cell by more.
+//              Of the five cells that this reading does not meet those of n = 16 are met by none, and the
+//              others by none that is within a unit elsewhere. Two orders of the rules give the radii, which
+//              are estimates.
 // Not checked  other readings: an area element or n_Q of S, a P or n_P of one kind here and of the other
 //              there; the integration that the table rests on.
 

@@ -7,7 +7,7 @@
 //              exactly, and 2 pi (1 - e^-8) of G cut at 4, by enclosed quadrature. Rejected: elements on a
 //              line in the place of the plane. Dense sites on the paper's scene: the sum of constant alpha^2
 //              over that of the integrals less 1 falls like the separation on the disk, as the share of its
-//              rim, exponent above 1/2 and below 3/2, and at least so on the sphere; rejected for the quotient
+//              rim, exponent from 1/2 to 3/2, and at least so on the sphere; rejected for the quotient
 //              itself. At the paper's separation 3 it is cut up by place. "expected value 1/delta": the sum
 //              of a rule's values of the integrals of elements that sum to 1 is the area, for any rule and
 //              values, by induction on elements and points; rejected for elements of any sum. pi alpha^2/t
