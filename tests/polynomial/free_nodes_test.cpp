@@ -72,6 +72,22 @@ TEST(FreeNodes, AreFoundForDegree3WhereSymmetricOnesAreNot) {
   EXPECT_THROW(static_cast<void>(certify(moved, 0)), ContractViolation);
 }
 
+// An odd degree asks for no equation, so that nothing of the next even one would be proved.
+TEST(FreeNodes, AreCertifiedForEvenDegreesOnTheParallelogram) {
+  FreeNodes three{.degree = 1, .triangle = 2, .parallelogram = 2, .nodes = {}};
+  const Rational sixth(1, 6);
+  const Rational most(2, 3);
+  three.nodes = {{.s = sixth, .t = sixth, .weight = sixth, .holds_s = true, .holds_t = true},
+                 {.s = sixth, .t = most, .weight = sixth, .holds_s = true},
+                 {.s = most, .t = sixth, .weight = sixth}};
+  const Outcome<SymmetricCertificate> proof = certify(three, radius);
+  ASSERT_TRUE(proof) << proof.reason();
+  EXPECT_EQ(proof->triangle.degree, 2);
+  EXPECT_EQ(proof->parallelogram.degree, 3);
+  three.parallelogram = 3;
+  EXPECT_THROW(static_cast<void>(certify(three, radius)), ContractViolation);
+}
+
 TEST(FreeNodes, CountTheirEquations) {
   EXPECT_EQ(free_equations(4, 6), 15 + 7);
   EXPECT_EQ(free_equations(2, 4), 6 + 5);

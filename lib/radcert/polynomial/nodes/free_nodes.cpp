@@ -145,6 +145,8 @@ Outcome<SymmetricCertificate> certify(const FreeNodes& nodes, const Rational& ra
   expects(radius.sign() > 0, "radius > 0", named("radius", radius));
   expects(nodes.triangle >= nodes.degree, "triangle >= degree: the rule is interpolatory",
           named("triangle", nodes.triangle), named("degree", nodes.degree));
+  expects(nodes.parallelogram % 2 == 0, "an even degree parallelogram",
+          named("parallelogram", nodes.parallelogram));
   const BallPrecision scope(bits);
   const std::size_t count = static_cast<std::size_t>((nodes.degree + 1) * (nodes.degree + 2) / 2);
   if (nodes.nodes.size() != count)

@@ -49,7 +49,7 @@ struct FreeNodes {
 ///           the centre of the parallelogram, on which the rule and its image under the half turn miss twice
 ///           what it misses on the triangle. Krawczyk's test as in `certify` of symmetric nodes
 /// Source    as `certify` of symmetric nodes
-/// Requires  degree <= triangle; radius > 0, else ContractViolation
+/// Requires  degree <= triangle; parallelogram even; radius > 0, else ContractViolation
 /// Result    the certificate; or why there is none
 /// Limits    works at 512 bits; a refusal does not prove that there is no such rule
 [[nodiscard]] Outcome<SymmetricCertificate> certify(const FreeNodes& nodes, const Rational& radius);
