@@ -5,7 +5,6 @@
 
 #include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/polynomial/rules/interpolatory_rule.h"
-#include "radcert/polynomial/rules/product_precision.h"
 #include "tests/polynomial/node_sets.h"
 
 namespace radcert {
@@ -54,66 +53,6 @@ TEST(BasisFacts, KnowThePrecisionAtTheSuperconvergentInset) {
     EXPECT_GT(std::abs(three.defect.to_double()), 1e-8);
   }
   EXPECT_THROW(static_cast<void>(precision_at_superconvergent_inset(5, Region::triangle)), ContractViolation);
-}
-
-TEST(ProductPrecision, IsThatOfTheRuleForAllPolynomialsOfADegree) {
-  std::vector<Nodes> sets;
-  for (int degree = 0; degree <= 3; ++degree) {
-    sets.push_back(inset_nodes(degree, Rational(1, 6)));
-    sets.push_back(inset_nodes(degree, Rational(1, 10)));
-    sets.push_back(scattered_nodes(degree, 4));
-  }
-  sets.push_back({at(Rational(1, 2), Rational(1, 2)), at(Rational(1, 2), 0), at(0, Rational(1, 2))});
-  for (const Nodes& nodes : sets) {
-    const LagrangeFunctions functions = functions_of(nodes);
-    const TriangleRule<Rational> rule = interpolatory_rule(functions);
-    for (const Region region : {Region::triangle, Region::parallelogram})
-      EXPECT_EQ(product_precision(functions, region), degree_of_precision(rule, region).degree)
-          << nodes.size() << " nodes";
-  }
-}
-
-// Int q (p - P p) by another way: every pair of monomials, over the lattice's own rule of degree 8, turned
-// for the other half.
-TEST(ProductPrecision, SaysWhereProductsCeaseToVanish) {
-  const LagrangeFunctions functions =
-      lagrange_functions(linear_with_bubble(), three_and_the_centroid(Rational(1, 5))).value();
-  const TriangleRule<Rational> rule = interpolatory_rule(functions_of(inset_nodes(8, Rational(0))));
-  const auto missed = [&](const Monomial& q, const Monomial& p, bool both_halves) {
-    const auto over_sigma = [&](bool turned) {
-      const auto value = [turned](const Monomial& m, const Barycentric<Rational>& x) {
-        const Rational s = turned ? 1 - x.x[2] : x.x[2];
-        const Rational t = turned ? 1 - x.x[1] : x.x[1];
-        return power(s, m.s) * power(t, m.t);
-      };
-      Rational sum = 0;
-      std::vector<Rational> l(functions.size());
-      for (std::size_t i = 0; i < rule.points.size(); ++i) {
-        functions.values(rule.points[i], l);
-        Rational rest = value(p, rule.points[i]);
-        for (std::size_t j = 0; j < l.size(); ++j) rest -= value(p, functions.nodes()[j]) * l[j];
-        sum += rule.weights[i] * value(q, rule.points[i]) * rest;
-      }
-      return sum;
-    };
-    return over_sigma(false) + (both_halves ? over_sigma(true) : Rational(0));
-  };
-  for (const bool both_halves : {false, true}) {
-    const int found = product_precision(functions, both_halves ? Region::parallelogram : Region::triangle);
-    bool ends = false;
-    for (int total = 0; total <= found + 1; ++total)
-      for (int of_q = 0; of_q <= total; ++of_q)
-        for (int a = 0; a <= of_q; ++a)
-          for (int b = 0; b <= total - of_q; ++b) {
-            const Rational rest = missed({of_q - a, a}, {total - of_q - b, b}, both_halves);
-            if (total <= found) {
-              EXPECT_EQ(rest, 0) << total;
-            }
-            ends = ends || rest != 0;
-          }
-    EXPECT_TRUE(ends);
-    EXPECT_EQ(found, 3);
-  }
 }
 
 TEST(BasisFacts, OfLinearFunctionsWithABubble) {

@@ -9,7 +9,6 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/parallel.h"
-#include "radcert/polynomial/basis_facts.h"
 #include "radcert/polynomial/nodes/search/free_search.h"
 
 namespace radcert {
@@ -32,9 +31,6 @@ TEST(FreeNodes, AreFoundForDegree3WhereSymmetricOnesAreNot) {
   ASSERT_TRUE(proof) << proof.reason();
   EXPECT_EQ(proof->triangle.degree, 4);
   EXPECT_EQ(proof->parallelogram.degree, 7);
-  const PredictedOrders orders = predicted_orders(3, 4, 7);
-  EXPECT_EQ(orders.curved, 6);
-  EXPECT_FALSE(orders.curved_has_logarithm);
   // The integrals of the monomials, in double.
   const TriangleRule<Ball>& rule = proof->rule;
   for (int i = 0; i <= 7; ++i)

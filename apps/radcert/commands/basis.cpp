@@ -119,11 +119,14 @@ bool is_likely_rounding(const EnclosedPrecision& precision, PrecisionProof proof
   return proof == PrecisionProof::exact && certainly_less(abs(precision.defect), Ball(least));
 }
 
+std::string proof_words(PrecisionProof proof) {
+  if (proof == PrecisionProof::algebraic) return "exact, for the algebraic nodes";
+  if (proof == PrecisionProof::certificate) return "proved, for the true nodes beside these";
+  return "exact";
+}
+
 std::string precision_text(const EnclosedPrecision& precision, PrecisionProof proof) {
-  const char* how = "exact";
-  if (proof == PrecisionProof::algebraic) how = "exact, for the algebraic nodes";
-  if (proof == PrecisionProof::certificate) how = "proved, for the true nodes beside these";
-  std::string out = std::to_string(precision.degree) + " (" + how + "); misses " +
+  std::string out = std::to_string(precision.degree) + " (" + proof_words(proof) + "); misses " +
                     precision.first_failure.to_text() + " by " + precision.defect.to_text(6);
   if (is_likely_rounding(precision, proof))
     out +=
@@ -181,8 +184,8 @@ std::string one_text(const BasisRecord& record) {
     rows.insert(rows.begin() + 4,
                 {"precision, products",
                  std::to_string(facts.products->triangle) + ", parallelogram " +
-                     std::to_string(facts.products->parallelogram) +
-                     " (exact): Int q (p - P p) = 0 for degrees up to that; orders follow it"});
+                     std::to_string(facts.products->parallelogram) + " (" + proof_words(facts.proof) +
+                     "): Int q (p - P p) = 0 for degrees up to that; orders follow it"});
   const std::string rounding =
       is_rounded(facts, digits)
           ? "Fractions are exact; decimals of nodes, weights and determinant are rounded to nearest.\n"

@@ -42,32 +42,9 @@ Ball value(const RationalPolynomial& p, const Ball& x) {
   return sum;
 }
 
-}  // namespace
-
-BasisFacts basis_facts(const LagrangeFunctions& functions, const Rational& tolerance) {
-  const TriangleRule<Rational> rule = interpolatory_rule(functions);
-  BasisFacts facts;
-  facts.degree = functions.degree();
-  facts.reproduced = functions.reproduced_degree();
-  facts.nodes = functions.nodes();
-  facts.weights = rule.weights;
-  facts.determinant = functions.determinant();
-  facts.condition = condition_of(functions);
-  facts.norm = lebesgue_constant(functions, tolerance);
-  facts.triangle = enclosed(degree_of_precision(rule, Region::triangle));
-  facts.parallelogram = enclosed(degree_of_precision(rule, Region::parallelogram));
-  if (facts.reproduced < facts.degree)
-    facts.products = {.triangle = product_precision(functions, Region::triangle),
-                      .parallelogram = product_precision(functions, Region::parallelogram)};
-  return facts;
-}
-
-Outcome<BasisFacts> at_true_nodes(BasisFacts facts, const LagrangeFunctions& functions,
+// At most max_j sum_i |l_i(q'_j) - delta_ij|; nothing where it may be 1/2 or more.
+std::optional<Rational> change_of(const LagrangeFunctions& functions,
                                   std::span<const Barycentric<Ball>> nodes) {
-  expects(nodes.size() == functions.size(), "a ball for each node", named("balls", nodes.size()),
-          named("nodes", functions.size()));
-  constexpr long bits = 512;  // more than the digits of any node file
-  const BallPrecision scope(std::max(bits, BallPrecision::current()));
   const std::vector<std::array<int, 3>> indices = lattice_indices(functions.degree());
   Ball change(0);
   for (std::size_t j = 0; j < nodes.size(); ++j) {
@@ -84,8 +61,40 @@ Outcome<BasisFacts> at_true_nodes(BasisFacts facts, const LagrangeFunctions& fun
     }
     change = max(change, sum);
   }
-  if (!certainly_less(change, Ball(Rational(1, 2)))) return because("the nodes are not certainly unisolvent");
-  const Rational e = Rational::exactly(change.upper_double());
+  if (!certainly_less(change, Ball(Rational(1, 2)))) return std::nullopt;
+  return Rational::exactly(change.upper_double());
+}
+
+constexpr long bits_at_true_nodes = 512;  // more than the digits of any node file
+
+}  // namespace
+
+BasisFacts basis_facts(const LagrangeFunctions& functions, const Rational& tolerance) {
+  const TriangleRule<Rational> rule = interpolatory_rule(functions);
+  BasisFacts facts;
+  facts.degree = functions.degree();
+  facts.reproduced = functions.reproduced_degree();
+  facts.nodes = functions.nodes();
+  facts.weights = rule.weights;
+  facts.determinant = functions.determinant();
+  facts.condition = condition_of(functions);
+  facts.norm = lebesgue_constant(functions, tolerance);
+  facts.triangle = enclosed(degree_of_precision(rule, Region::triangle));
+  facts.parallelogram = enclosed(degree_of_precision(rule, Region::parallelogram));
+  if (facts.reproduced < facts.degree || !products_follow(facts.triangle.degree, facts.parallelogram.degree))
+    facts.products = {.triangle = product_precision(functions, Region::triangle),
+                      .parallelogram = product_precision(functions, Region::parallelogram)};
+  return facts;
+}
+
+Outcome<BasisFacts> at_true_nodes(BasisFacts facts, const LagrangeFunctions& functions,
+                                  std::span<const Barycentric<Ball>> nodes) {
+  expects(nodes.size() == functions.size(), "a ball for each node", named("balls", nodes.size()),
+          named("nodes", functions.size()));
+  const BallPrecision scope(std::max(bits_at_true_nodes, BallPrecision::current()));
+  const std::optional<Rational> change = change_of(functions, nodes);
+  if (!change) return because("the nodes are not certainly unisolvent");
+  const Rational& e = *change;
   facts.norm.lower /= 1 + e;
   facts.norm.upper /= 1 - e;
   facts.condition /= 1 - e;
@@ -105,9 +114,17 @@ Outcome<BasisFacts> certified_facts(BasisFacts facts, const LagrangeFunctions& f
   moved->triangle = certificate.triangle;
   moved->parallelogram = certificate.parallelogram;
   moved->proof = PrecisionProof::certificate;
-  if (moved->products)
-    moved->products = ProductPrecision{.triangle = certificate.triangle.degree,
-                                       .parallelogram = certificate.parallelogram.degree};
+  moved->products.reset();
+  const int d = certificate.triangle.degree;
+  if (!products_follow(d, certificate.parallelogram.degree)) {
+    const BallPrecision scope(std::max(bits_at_true_nodes, BallPrecision::current()));
+    const std::optional<Rational> change = change_of(functions, certificate.rule.points);
+    if (!change || !products_certainly_missed(functions, certificate.rule.points, *change, d + 2))
+      return because("products of degree " + std::to_string(d + 2) + " are not certainly missed");
+    moved->products = ProductPrecision{.triangle = d, .parallelogram = d + 1};
+  } else if (moved->reproduced < moved->degree) {
+    moved->products = ProductPrecision{.triangle = d, .parallelogram = certificate.parallelogram.degree};
+  }
   return moved;
 }
 
@@ -149,8 +166,11 @@ PredictedOrders predicted_orders(int reproduced_degree, int triangle_precision, 
 }
 
 ProductPrecision product_precision(const BasisFacts& facts) {
-  return facts.products.value_or(
-      ProductPrecision{.triangle = facts.triangle.degree, .parallelogram = facts.parallelogram.degree});
+  if (facts.products) return *facts.products;
+  expects(products_follow(facts.triangle.degree, facts.parallelogram.degree),
+          "products that follow the precision of the rule", named("triangle", facts.triangle.degree),
+          named("parallelogram", facts.parallelogram.degree));
+  return {.triangle = facts.triangle.degree, .parallelogram = facts.parallelogram.degree};
 }
 
 PredictedOrders predicted_orders(const BasisFacts& facts) {

@@ -47,24 +47,22 @@ struct BasisFacts {
   EnclosedPrecision triangle;
   EnclosedPrecision parallelogram;
   PrecisionProof proof = PrecisionProof::exact;
-  std::optional<ProductPrecision> products =
-      {};  ///< of a space of one's own; otherwise the degrees of triangle and parallelogram
+  std::optional<ProductPrecision> products = {};  ///< of a space of one's own, and where not
+                                                  ///< products_follow; else degrees of the rule
 };
 
 /// The degrees of product_precision, for any basis.
+/// Requires  products, or degrees of the rule that products_follow, else ContractViolation
 [[nodiscard]] ProductPrecision product_precision(const BasisFacts& facts);
 
 /// The facts of nodes that a certificate is about, from those at nodes beside them.
-/// Maths     at_true_nodes; precision as the certificate has it. The products of a space of one's own: let R
-///           be the degree of precision of the rule, m that of the space, r that up to which it has all
-///           polynomials, m <= r + 1, and deg q + deg p <= R. For deg p <= r P p = p, and nothing is missed.
-///           Else deg q <= R - r - 1, q P p has a degree of at most R, and Int q P p = sum_j w_j (q p)(q_j) =
-///           Int q p. With q = 1 and p the monomial that the rule misses, Int (p - P p) is what it misses:
-///           the degree is R. Over parallelograms monomials q p about the centre of odd degree change their
-///           sign under the half turn, and q P p with them: nothing is missed, and the degree is that of the
-///           rule
+/// Maths     at_true_nodes; precision as the certificate has it, d on the triangle. Products, with m the degree
+///           of the space and r that up to which it has all polynomials: as products_follow has it for m <= r
+///           + 1; on a parallelogram of which they do not, d + 1, if products of degree d + 2 are certainly
+///           missed
 /// Requires  facts of these functions; a certificate of their nodes, with their space if they have one
-/// Result    proof: certificate; a reason where at_true_nodes has one, and for a space with m > r + 1
+/// Result    proof: certificate; a reason where at_true_nodes has one, for a space with m > r + 1, and where
+///           products are not decided
 [[nodiscard]] Outcome<BasisFacts> certified_facts(BasisFacts facts, const LagrangeFunctions& functions,
                                                   const SymmetricCertificate& certificate);
 

@@ -8,6 +8,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/core/matrix.h"
+#include "radcert/polynomial/rules/product_precision.h"
 
 namespace radcert {
 namespace {
@@ -337,9 +338,11 @@ Outcome<BasisFacts> basis_facts(const LagrangeFunctions& rounded, const Algebrai
       const auto signs = attempt.weight_signs();
       const auto triangle = attempt.precision(Region::triangle, facts.reproduced);
       const auto parallelogram = attempt.precision(Region::parallelogram, facts.reproduced);
-      const bool own_space = facts.products.has_value();
-      const auto on_triangle = own_space ? attempt.products(Region::triangle) : std::optional(0);
-      const auto on_both = own_space ? attempt.products(Region::parallelogram) : std::optional(0);
+      const bool by_products =
+          facts.reproduced < facts.degree ||
+          (triangle && parallelogram && !products_follow(triangle->degree, parallelogram->degree));
+      const auto on_triangle = by_products ? attempt.products(Region::triangle) : std::optional(0);
+      const auto on_both = by_products ? attempt.products(Region::parallelogram) : std::optional(0);
       if (signs && triangle && parallelogram && on_triangle && on_both) {
         for (std::size_t j = 0; j < signs->size(); ++j) {
           if ((*signs)[j] == 0) facts.weights[j] = 0;
@@ -348,7 +351,9 @@ Outcome<BasisFacts> basis_facts(const LagrangeFunctions& rounded, const Algebrai
         }
         facts.triangle = *triangle;
         facts.parallelogram = *parallelogram;
-        if (own_space) facts.products = {.triangle = *on_triangle, .parallelogram = *on_both};
+        facts.products.reset();
+        if (by_products)
+          facts.products = ProductPrecision{.triangle = *on_triangle, .parallelogram = *on_both};
         facts.proof = PrecisionProof::algebraic;
         return at_true_nodes(std::move(facts), rounded, attempt.points());
       }

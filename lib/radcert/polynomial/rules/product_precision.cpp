@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "radcert/core/contract.h"
 #include "radcert/polynomial/nodes/lattice.h"
 #include "radcert/scalar/real.h"
 
@@ -33,8 +34,9 @@ Rational by_powers(const Monomial& m, const Term& term) {
   return sum;
 }
 
-Rational value(const Monomial& m, const Barycentric<Rational>& x) {
-  const Rational half(1, 2);
+template <class R>
+R value(const Monomial& m, const Barycentric<R>& x) {
+  const R half(Rational(1, 2));
   return power(x.x[2] - half, m.s) * power(x.x[1] - half, m.t);
 }
 
@@ -58,21 +60,32 @@ std::vector<Rational> moments(const LagrangeFunctions& functions, const Monomial
   return out;
 }
 
-// Whether Int_sigma q (p - P p) = 0 for all pairs of monomials about the centre whose degrees add up to
-// `total`.
-bool vanishes(const LagrangeFunctions& functions, int total) {
+// Whether `is_zero` says so of all pairs q, p of monomials about the centre whose degrees add up to `total`,
+// with Int_sigma q p and the Int_sigma q l_j.
+template <class IsZero>
+bool for_all_pairs(const LagrangeFunctions& functions, int total, const IsZero& is_zero) {
   for (int of_q = 0; of_q <= total; ++of_q)
     for (int t = 0; t <= of_q; ++t) {
       const Monomial q{of_q - t, t};
       const std::vector<Rational> weights = moments(functions, q);
       for (int u = 0; u <= total - of_q; ++u) {
         const Monomial p{total - of_q - u, u};
-        Rational rest = by_powers({q.s + p.s, q.t + p.t}, [](int a, int b) { return integral(0, b, a); });
-        for (std::size_t j = 0; j < weights.size(); ++j) rest -= weights[j] * value(p, functions.nodes()[j]);
-        if (rest != 0) return false;
+        const Rational whole =
+            by_powers({q.s + p.s, q.t + p.t}, [](int a, int b) { return integral(0, b, a); });
+        if (!is_zero(p, whole, weights)) return false;
       }
     }
   return true;
+}
+
+// Whether Int_sigma q (p - P p) = 0 for all these pairs.
+bool vanishes(const LagrangeFunctions& functions, int total) {
+  return for_all_pairs(functions, total,
+                       [&](const Monomial& p, Rational rest, const std::vector<Rational>& weights) {
+                         for (std::size_t j = 0; j < weights.size(); ++j)
+                           rest -= weights[j] * value(p, functions.nodes()[j]);
+                         return rest == 0;
+                       });
 }
 
 }  // namespace
@@ -83,6 +96,24 @@ int product_precision(const LagrangeFunctions& functions, Region region) {
   int total = 0;
   while ((region == Region::parallelogram && total % 2 == 1) || vanishes(functions, total)) ++total;
   return total - 1;
+}
+
+bool products_follow(int triangle, int parallelogram) { return parallelogram <= triangle + 1; }
+
+bool products_certainly_missed(const LagrangeFunctions& functions, std::span<const Barycentric<Ball>> nodes,
+                               const Rational& change, int total) {
+  expects(nodes.size() == functions.size() && change < 1, "a ball for each node, change < 1",
+          named("balls", nodes.size()), named("change", change));
+  return !for_all_pairs(functions, total,
+                        [&](const Monomial& p, const Rational& whole, const std::vector<Rational>& near) {
+                          Rational sum = 0;
+                          for (const Rational& weight : near) sum += abs(weight);
+                          const Ball off(sum * change / (1 - change));
+                          Ball rest(whole);
+                          for (std::size_t j = 0; j < near.size(); ++j)
+                            rest -= widened(Ball(near[j]), off) * value(p, nodes[j]);
+                          return !rest.is_finite() || rest.contains_zero();
+                        });
 }
 
 }  // namespace radcert
