@@ -68,6 +68,18 @@ TEST(FreeNodes, AreFoundForDegree3WhereSymmetricOnesAreNot) {
   EXPECT_THROW(static_cast<void>(certify(moved, 0)), ContractViolation);
 }
 
+// Of an even degree the equations on the parallelogram make the rule exact of one degree more on the triangle
+// than the order asks for.
+TEST(FreeNodes, AreFoundForDegree2) {
+  const FreeSearchResult found = search_free_nodes(free_goal(2), {.starts = 16, .steps = 0},
+                                                   [](const FreeSearchResult&) { return true; });
+  ASSERT_TRUE(found.best);
+  const Outcome<SymmetricCertificate> proof = certify(found.best->nodes, radius);
+  ASSERT_TRUE(proof) << proof.reason();
+  EXPECT_EQ(proof->triangle.degree, 4);
+  EXPECT_EQ(proof->parallelogram.degree, 5);
+}
+
 // An odd degree asks for no equation, so that nothing of the next even one would be proved.
 TEST(FreeNodes, AreCertifiedForEvenDegreesOnTheParallelogram) {
   FreeNodes three{.degree = 1, .triangle = 2, .parallelogram = 2, .nodes = {}};

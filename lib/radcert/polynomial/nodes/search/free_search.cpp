@@ -167,8 +167,9 @@ private:
 
 FreeGoal free_goal(int degree) {
   expects(degree >= 1, "degree >= 1", named("degree", degree));
-  return {
-      .degree = degree, .triangle = degree + 1, .parallelogram = degree % 2 == 0 ? degree + 2 : degree + 3};
+  return {.degree = degree,
+          .triangle = degree % 2 == 0 ? degree + 2 : degree + 1,
+          .parallelogram = degree % 2 == 0 ? degree + 2 : degree + 3};
 }
 
 std::optional<std::string> hindrance(const FreeGoal& goal) {

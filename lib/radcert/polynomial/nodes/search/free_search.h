@@ -18,9 +18,12 @@ struct FreeGoal {
 };
 inline constexpr int largest_free_degree = 4;
 
-/// The goal with which the order at the nodes is r + 3 without a logarithm.
-/// Maths     r + 1 on the triangle, and the least even degree from r + 2 on with r + 3 or more on the
-///           parallelogram
+/// The goal with the order r + 3 at the nodes.
+/// Maths     r even: r + 2 on the triangle, and so r + 3 on the parallelogram: no logarithm; r + 1 there
+///           and r + 2 here are the same, see products_follow. r odd: r + 1 on the triangle, r + 4 on the
+///           parallelogram, of which products have r + 2: a logarithm. Without one products of degree r + 3
+///           would have to be exact too, as they are where the rule is so on the triangle: for r = 3 none
+///           of 4096 starts came to such nodes inside
 /// Source    predicted_orders
 /// Requires  degree >= 1
 [[nodiscard]] FreeGoal free_goal(int degree);
