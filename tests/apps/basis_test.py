@@ -145,8 +145,15 @@ class Basis(ProgramTest):
             jsonschema.validate(json.load(file), self.schema("nodes"))
         again = self.basis("n.json")
         self.assertEqual(again["precision"]["triangle"]["proof"], "certificate")
-        for key in ["nodes", "precision", "norm", "condition", "determinant", "orders"]:
+        for key in ["nodes", "precision", "product_precision", "norm", "condition", "determinant", "orders"]:
             self.assertEqual(found[key], again[key], key)
+        # On either triangle of a parallelogram P p is another polynomial: products gain less than the rule.
+        self.assertEqual(self.precision(again), (4, 7))
+        self.assertEqual(again["product_precision"], {"triangle": 4, "parallelogram": 5})
+        self.assertTrue(again["orders"]["nodes_smooth_logarithm"])
+        self.assertIn("4, parallelogram 5 (proved, for the true nodes beside these)", self.expect(0, "basis", "n.json"))
+        even = self.basis("search", "--degree", "2", "--symmetric", "off", "--starts", "16")
+        self.assertEqual(self.precision(even), (4, 5))
 
     def test_searches_that_find_nothing_or_are_none_say_so(self):
         done = self.run_program("basis", "search", "--degree", "9", "--goal", "precision", "--starts", "1",
@@ -211,6 +218,7 @@ class Basis(ProgramTest):
             orders = basis["orders"]
             self.assertEqual([orders["everywhere"], orders["nodes_smooth"], orders["nodes_smooth_kernel"]],
                              [int(row[key]) for key in ("order_everywhere", "order_nodes", "order_smooth_kernel")])
+            self.assertEqual(orders["nodes_smooth_logarithm"], row["logarithm"] == "true")
         # A measured order again, by solve.
         self.write("two.json", {"schema": "radcert/problem/1", "surface": {"name": "two_piece", "p": 2},
                                 "triangulation": {"levels": [0, 1, 2, 3]}, "reflectivity": "1/2",

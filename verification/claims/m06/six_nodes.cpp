@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // How far beyond Theorem 9 interpolation of degree r can go at the nodes. Let d be the degree of precision of
-// the rule over a parallelogram, P a node, and u smooth. The error at P is the sum over the elements of Int
-// G(P,Q) (u - P_n u) dS. Where G(P,.) is smooth, two halves of a parallelogram leave O(h^(d+1)) times their
-// area, as in Lemma 8: order d + 1 in all. Near P on its own curved piece G(P,Q) = g_0(theta) + rho
-// g_1(theta) + ..., in polar coordinates (rho, theta) about P: bounded, but its value at P depends on the
-// direction and D^j G grows like rho^-j. Parallelograms at the distance m h then leave h^(r+3) m^-(d-r) each,
-// of which there are O(m): for d > r + 2 the sum over m is bounded and stands for h^(r+3), the element of P
-// itself gives O(h^(r+3)) as |u - P_n u| = O(h^(r+1)) on an area O(h^2). So the order is at least min(d + 1,
-// r + 3), with |log h| for d = r + 2. This is proved up to the usual constants; that r + 3 is not exceeded is
-// measured.
+// the rule of symmetric nodes over a parallelogram, P a node, and u smooth. The error at P is the sum over
+// the elements of Int G(P,Q) (u - P_n u) dS. Where G(P,.) is smooth, two halves of a parallelogram leave
+// O(h^(d+1)) times their area, as in Lemma 8: order d + 1 in all. Near P on its own curved piece G(P,Q) =
+// g_0(theta) + rho g_1(theta) + ..., in polar coordinates (rho, theta) about P: bounded, but its value at P
+// depends on the direction and D^j G grows like rho^-j. Parallelograms at the distance m h then leave h^(r+3)
+// m^-(d-r) each, of which there are O(m): for d > r + 2 the sum over m is bounded and stands for h^(r+3), the
+// element of P itself gives O(h^(r+3)) as |u - P_n u| = O(h^(r+1)) on an area O(h^2). So the order is at
+// least min(d + 1, r + 3), with |log h| for d = r + 2. This is proved up to the usual constants; that r + 3
+// is not exceeded is measured.
 //
 // Checked      the six symmetric nodes of degree 2: precision 4 on the triangle, 5 on the parallelogram,
 //              proved by Krawczyk's test. The error at the six nodes of an element in the middle of the roof

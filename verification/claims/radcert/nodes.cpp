@@ -7,13 +7,15 @@
 //              of a rule with the degrees of precision that are claimed. Rejected: the nodes (13) of these
 //              degrees at alpha = 1/20.
 //              cubic_nodes_without_symmetry: a search finds ten nodes without symmetry, and Krawczyk's test
-//              proves the same of nodes beside them. Rejected: the symmetric nodes of degree 3 that come with
-//              radcert.
+//              proves the same of nodes beside them; products of degree 6 are certainly missed. Rejected: the
+//              symmetric nodes of degree 3 that come with radcert, and for products the nodes (13) at alpha =
+//              1/10.
 // Not checked  orders, which follow by [m06, Theorems 7, 9]; that nodes of a lesser norm do not exist.
 
 #include <string>
 
 #include "radcert/core/contract.h"
+#include "radcert/polynomial/basis_facts.h"
 #include "radcert/polynomial/lagrange_functions.h"
 #include "radcert/polynomial/nodes/inset_family.h"
 #include "radcert/polynomial/nodes/lattice.h"
@@ -23,6 +25,7 @@
 #include "radcert/polynomial/nodes/symmetric_nodes.h"
 #include "radcert/polynomial/rules/degree_of_precision.h"
 #include "radcert/polynomial/rules/interpolatory_rule.h"
+#include "radcert/polynomial/rules/product_precision.h"
 #include "verification/framework/check.h"
 
 namespace radcert::verification::radcert {
@@ -70,6 +73,15 @@ Finding cubic_nodes_without_symmetry(const Bench&) {
                   Ball(certificate->triangle.degree));
   finding.require("degree of precision on the parallelogram", enough,
                   Ball(certificate->parallelogram.degree));
+  const LagrangeFunctions near = lagrange_functions(found.best->nodes.points()).value();
+  const Outcome<BasisFacts> facts = certified_facts(basis_facts(near, Rational(1, 1000)), near, *certificate);
+  expects(facts.has_value(), "products that are decided", named("degree", degree));
+  const IsExactly of_products{degree + 2};
+  finding.require("degree up to which products are exact on the parallelogram", of_products,
+                  Rational(product_precision(*facts).parallelogram));
+  const LagrangeFunctions inset = lagrange_functions(inset_nodes(degree, Rational(1, 10))).value();
+  finding.control("the same, nodes (13) at alpha = 1/10", of_products,
+                  Rational(product_precision(inset, Region::parallelogram)));
   finding.control("degree of precision on the parallelogram, symmetric nodes", enough,
                   Ball(symmetric->parallelogram.degree));
   return finding;
