@@ -56,10 +56,10 @@ struct BasisFacts {
 [[nodiscard]] ProductPrecision product_precision(const BasisFacts& facts);
 
 /// The facts of nodes that a certificate is about, from those at nodes beside them.
-/// Maths     at_true_nodes; precision as the certificate has it, d on the triangle. Products, with m the degree
-///           of the space and r that up to which it has all polynomials: as products_follow has it for m <= r
-///           + 1; on a parallelogram of which they do not, d + 1, if products of degree d + 2 are certainly
-///           missed
+/// Maths     at_true_nodes; precision as the certificate has it. Products, with m the degree of the space and
+///           r that up to which it has all polynomials, m <= r + 1: where products_follow, the degrees of the
+///           rule; else, with d that on the triangle, d + 1 on the parallelogram if products of degree d + 2
+///           are certainly missed
 /// Requires  facts of these functions; a certificate of their nodes, with their space if they have one
 /// Result    proof: certificate; a reason where at_true_nodes has one, for a space with m > r + 1, and where
 ///           products are not decided
