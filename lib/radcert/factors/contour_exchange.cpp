@@ -168,7 +168,7 @@ std::optional<Ball> contour_exchange_area(const ExactCorners& receiver, const Ex
       work -= part_of_work;
       const Reached reached = contribution(lines, share, part_of_work);
       work += part_of_work;
-      const double error = reached.value.error() + reached.error;
+      const double error = (reached.value.error() + reached.error) * (1 + 0x1p-50);
       left = std::max(left - error, left * (1 - weight(edge) / length) / 2);
       length -= weight(edge);
       sum += widened(Ball(reached.value.value()), Ball(error));
