@@ -28,6 +28,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Far more than the roundings of the few operations that follow a bound.
 constexpr double up = 1 + 0x1p-40;
 /// The unit roundoff of long double, and that of double.
+static_assert(std::numeric_limits<long double>::digits >= 64);
 constexpr double long_unit = 0x1p-64;
 constexpr double unit = 0x1p-53;
 
