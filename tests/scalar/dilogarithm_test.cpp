@@ -129,6 +129,26 @@ TEST(DilogarithmImaginary, BallsAreNarrow) {
   }
 }
 
+TEST(DilogarithmImaginary, BallsOfLargeAnglesContainTheValue) {
+  for (const int exponent : {20, 50, 60, 70, 75, 80, 90, 100, 150, 200, 500})
+    for (int k = 0; k < 25; ++k)
+      for (const double radius : {0.9, 1.0}) {
+        const double angle = std::ldexp(1 + 0.0377 * k, exponent);
+        const auto value = [&](long bits) {
+          const BallPrecision precision(bits);
+          return dilogarithm_imaginary(Ball(radius), Ball(angle));
+        };
+        const Ball exact = value(900);
+        ASSERT_LT(exact.radius(), 1e-30);
+        for (const long bits : {53L, 128L}) {
+          const Ball found = value(bits);
+          EXPECT_TRUE(found.is_finite()) << shown(radius, angle);
+          EXPECT_TRUE(overlaps(found, exact)) << bits << " bits, " << shown(radius, angle);
+          EXPECT_LE(found.radius(), 1.03) << bits << " bits, " << shown(radius, angle);
+        }
+      }
+}
+
 TEST(DilogarithmImaginary, EnclosesEveryPointOfWideBalls) {
   Draw draw(4);
   for (int i = 0; i < 1000; ++i) {

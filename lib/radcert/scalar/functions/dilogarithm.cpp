@@ -114,6 +114,9 @@ double away_from_one(double radius, const ReducedAngle& angle) {
 arb_ptr in(Ball& ball) { return static_cast<arb_ptr>(BallAccess::storage(ball)); }
 arb_srcptr in(const Ball& ball) { return static_cast<arb_srcptr>(BallAccess::storage(ball)); }
 
+/// A bound of |f|: Cl_2(pi/3) < 1.02.
+constexpr double largest_value = 1.02;
+
 /// A bound of |f(r, x) - f(r, y)| for |x - y| <= d, of the whole disk.
 /// The derivative is -log|1 - r e^(ix)|, and |1 - r e^(ix)| lies between |sin x| >= 2 |x| / pi near x = 0 (at
 /// least 1 beyond pi/2) and 2: over an interval of length d <= pi the integral of its size is at most d (1 +
@@ -121,7 +124,7 @@ arb_srcptr in(const Ball& ball) { return static_cast<arb_srcptr>(BallAccess::sto
 Ball modulus_of_continuity(const Ball& distance) {
   const Ball d = abs(distance).upper();
   if (certainly_zero(d)) return 0;
-  // |f| <= Cl_2(pi/3) < 1.02
+  // |f| <= largest_value
   if (!certainly_less(d, Ball(1))) return Ball(3);
   return (d * (1 + log(Ball::pi() / d))).upper();
 }
@@ -147,6 +150,9 @@ Ball at_point(const Ball& radius, const Ball& angle) {
   Ball whole;
   arf_floor(arb_midref(in(whole)), arb_midref(in(turns + half)));
   const Ball rest = angle - 2 * Ball::pi() * whole;
+  // The principal argument is within pi/3 of 0, as cos > 1/2. Where the turns are known to less than one of
+  // them, `whole` may be any, and `rest` that of another turn.
+  if (!certainly_less(abs(rest), Ball::pi())) return widened(Ball(), Ball(largest_value));
   const Ball half_sine = sin(angle / 2);
   const Ball x = (1 - radius) + 2 * radius * power(half_sine, 2);
   const Ball y = -(radius * s);
