@@ -231,6 +231,13 @@ TEST(BoundOnEllipse, BoundsWhatIsLargestAtTheTop) {
   }
 }
 
+TEST(IntegralOverSquares, OfZeroIsZeroByFewNodes) {
+  const SquareFunction zero = square_function([]<class R>(const R& x, const R& y) { return R(0) * x * y; });
+  const Enclosure found = integral_over_squares(std::span(&zero, 1), {.radius = 1e-20});
+  ASSERT_TRUE(found.has_value());
+  EXPECT_TRUE(certainly_zero(found->value)) << found->value.to_text();
+}
+
 TEST(IntegralOverSquares, HoldsTheErrorOfTheRuleInEitherVariable) {
   // A pole beside the square in one variable, and nothing in the other: one of the two errors alone.
   int narrow = 0;

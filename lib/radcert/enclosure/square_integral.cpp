@@ -96,8 +96,10 @@ private:
     const double needed =
         std::log2(bound) + std::log2(area) - std::log2(share) + 3 - std::log2(1 - 1 / (r * r));
     const int most = static_cast<int>(std::max<long>(16, BallPrecision::current()));
-    const int nodes = std::max(2, static_cast<int>(std::ceil(std::min(needed, 1e6) / (2 * std::log2(r)))));
-    if (nodes > most) return std::nullopt;
+    // Of a function that is 0 on the ellipse the logarithm is infinite.
+    const double count = std::ceil(needed / (2 * std::log2(r)));
+    if (count > most) return std::nullopt;
+    const int nodes = count > 2 ? static_cast<int>(count) : 2;
     return RuleChoice{.nodes = nodes, .rho = rho, .error = gauss_error_factor(nodes, r) * Ball(bound)};
   }
 
