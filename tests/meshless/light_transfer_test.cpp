@@ -262,6 +262,27 @@ TEST(NeumannSeries, CountsTheRoundingsOfItsSteps) {
     }
 }
 
+TEST(NeumannSeries, RefusesWhatLeavesTheDoubles) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  // x = e / (1 - 3/4) = 4 e; a turn, of which the square contracts, where the sum e + R e is too large, or
+  // where all but its radius is a double.
+  const auto quadruple = NeumannSeries::make(matrix_of(1, {0.75}));
+  const auto turn = NeumannSeries::make(matrix_of(2, {0.6, -0.6, 0.6, 0.6}));
+  ASSERT_TRUE(quadruple);
+  ASSERT_TRUE(turn);
+  for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(1e-6)}) {
+    const auto large = quadruple->solve(std::array{largest / 2}, tolerance);
+    ASSERT_FALSE(large);
+    EXPECT_TRUE(std::isinf(large.reason().error_bound));
+    for (const double part : {1.0, 0.9, 0.7, 0.6, 0.5}) {
+      const auto turned = turn->solve(std::array{part * largest, -part * largest}, tolerance);
+      EXPECT_EQ(std::isfinite(turned ? turned->error_bound : turned.reason().error_bound), turned.has_value())
+          << part;
+    }
+    EXPECT_TRUE(quadruple->solve(std::array{largest / 8}, tolerance));
+  }
+}
+
 TEST(NeumannSeries, RefusesWhatDiverges) {
   const auto swap = NeumannSeries::make(matrix_of(2, {0, 4, 1, 0}));
   ASSERT_FALSE(swap);

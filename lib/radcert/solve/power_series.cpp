@@ -126,6 +126,7 @@ std::optional<IterativeSolution> NeumannSeries::plain_series(const Matrix<double
     ++solution.iterations;
     const double change = contraction_.norm(step) * (1 + 8 * unit);
     solution.error_bound = contraction_.inverse_bound((theta * change + rounding) * (1 + 8 * unit));
+    if (!std::isfinite(solution.error_bound)) return std::nullopt;
     if (solution.error_bound <= tolerance * largest(solution.values)) return solution;
     if (!(theta * change > rounding)) return std::nullopt;
   }
@@ -159,6 +160,10 @@ Outcome<IterativeSolution, NotReached> NeumannSeries::solve(std::span<const doub
     const std::vector<double> difference(n, (radius_of_sum + radius_ * size) * (1 + 8 * unit));
     found->error_bound += contraction_.inverse_bound(contraction_.norm(difference));
     found->iterations *= power_;
+    if (!std::isfinite(found->error_bound))
+      return because(NotReached{.iterations = found->iterations,
+                                .error_bound = std::numeric_limits<double>::infinity(),
+                                .size = largest(found->values)});
   }
   return *std::move(found);
 }
