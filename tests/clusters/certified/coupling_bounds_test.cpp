@@ -313,6 +313,36 @@ TEST(KernelBound, HoldsOnComplexNeighbourhoodsOfCurvedCharts) {
   }
 }
 
+TEST(KernelBound, FallsWithTheSquareOfLengthsOrIsUnknown) {
+  const auto bounds_at = [](int exponent) {
+    Rational edge = 1;
+    for (int k = 0; k < std::abs(exponent); ++k) edge = exponent > 0 ? edge * 2 : edge / 2;
+    const Surface surface = box(edge, edge, edge);
+    const Triangulation triangulation = triangulate(surface, 1);
+    const auto& triangles = triangulation.triangles;
+    const ClusterRegion from(surface.charts[triangles[0].chart], triangles[0]);
+    std::vector<double> bounds;
+    for (const ParameterTriangle& triangle : triangles)
+      if (triangle.chart != triangles[0].chart)
+        bounds.push_back(kernel_bound(ClusterRegion(surface.charts[triangle.chart], triangle), from, 1));
+    return bounds;
+  };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<double> at_one = bounds_at(0);
+  for (const int exponent : {-300, -258, -257, -256, -255, -254, -100, 100, 254, 255, 256, 257, 258, 300}) {
+    const std::vector<double> bounds = bounds_at(exponent);
+    std::size_t known = 0;
+    for (std::size_t k = 0; k < bounds.size(); ++k) {
+      if (bounds[k] == infinity) continue;
+      ++known;
+      EXPECT_EQ(std::ldexp(bounds[k], 2 * exponent), at_one[k]) << exponent << " " << k;
+    }
+    if (std::abs(exponent) <= 100) {
+      EXPECT_GT(known, bounds.size() / 2) << exponent;
+    }
+  }
+}
+
 /// Holds couplings of the clusters of a level against integrals of |h - c|^2.
 void expect_above_what_is_left_out(const Surface& surface, int level) {
   const Triangulation triangulation = triangulate(surface, level);

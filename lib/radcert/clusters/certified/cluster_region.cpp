@@ -192,7 +192,12 @@ double kernel_bound(const ClusterRegion& seen, const ClusterRegion& from, double
   const KernelFactors f = kernel_factors(seen, from, g);
   if (!(f.nearest > 0) || !std::isfinite(f.over_p * f.over_q)) return infinity;
   const double squared = f.nearest * f.nearest;
-  return f.over_p * f.over_q / (squared * squared) * up;
+  const double fourth = squared * squared;
+  const double factors = f.over_p * f.over_q;
+  const double bound = factors / fourth * up;
+  // Beyond the normal numbers roundings are not of relative size.
+  const bool normal = std::isnormal(fourth) && std::isnormal(factors) && std::isnormal(bound);
+  return normal ? bound : infinity;
 }
 
 }  // namespace radcert
