@@ -80,8 +80,8 @@ public:
     for (std::size_t p = 0; p < points_.size(); ++p) {
       const BoundedDouble height = over.at(observers_.s[p], observers_.t[p]);
       heights_[p] = height.value();
-      highest_ = std::max(highest_, height.value() + height.error());
-      height_error_ = std::max(height_error_, height.error());
+      highest_ = larger_bound(highest_, height.value() + height.error());
+      height_error_ = larger_bound(height_error_, height.error());
     }
     std::vector<SourcePart> parts(seen.begin(), seen.end());
     if (parts.empty())
@@ -232,7 +232,7 @@ private:
     const Box& box = part.box;
     const LegendreTable p_s = table(box.s0, box.s1, whole.s0, whole.s1, nodes_s);
     const LegendreTable p_t = table(box.t0, box.t1, whole.t0, whole.t1, nodes_t);
-    density_error_ = std::max(density_error_, densities_.error(part.element, p_s, p_t));
+    density_error_ = larger_bound(density_error_, densities_.error(part.element, p_s, p_t));
     const GaussRule& rule_s = gauss_rule(nodes_s);
     const GaussRule& rule_t = gauss_rule(nodes_t);
     const double half_s = 0.5 * (box.s1 - box.s0);

@@ -170,7 +170,7 @@ LegendreTable::LegendreTable(int degree, std::span<const BoundedDouble> places)
   values.reserve(places.size() * powers);
   const auto put = [&](const BoundedDouble& p) {
     values.push_back(p.value());
-    error = std::max(error, p.error());
+    error = larger_bound(error, p.error());
   };
   for (const BoundedDouble& x : places) {
     BoundedDouble last(1);

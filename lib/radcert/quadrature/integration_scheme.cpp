@@ -60,6 +60,7 @@ R largest_normal_loss(const Chart& chart) {
       const Frame<R> frame = chart.in<R>().frame({s, t});
       const R loss = norm(frame.tangent_s) * norm(frame.tangent_t) / area_element(frame);
       if (!(loss <= largest)) largest = loss;
+      if (!(largest >= R(1))) return largest;  // no number
     }
   return largest;
 }

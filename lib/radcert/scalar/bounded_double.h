@@ -14,6 +14,12 @@
 
 namespace radcert {
 
+/// The larger of two bounds.
+/// Result    infinite where one of them is no number: nothing is known then, nor of any maximum with it
+constexpr double larger_bound(double a, double b) {
+  return a < b ? b : (b <= a ? a : std::numeric_limits<double>::infinity());
+}
+
 /// A double that carries a bound of its error.
 /// Maths     |exact - value| <= error; an operation adds what it passes on from its operands and its own
 ///           rounding
@@ -115,10 +121,10 @@ public:
   }
   friend bool certainly_zero(const BoundedDouble& a) { return a.value_ == 0 && a.error_ == 0; }
   friend BoundedDouble min(const BoundedDouble& a, const BoundedDouble& b) {
-    return {std::min(a.value_, b.value_), larger(a.error_, b.error_)};
+    return {std::min(a.value_, b.value_), larger_bound(a.error_, b.error_)};
   }
   friend BoundedDouble max(const BoundedDouble& a, const BoundedDouble& b) {
-    return {std::max(a.value_, b.value_), larger(a.error_, b.error_)};
+    return {std::max(a.value_, b.value_), larger_bound(a.error_, b.error_)};
   }
   /// radius >= 0 and at most 1 exactly; |angle| <= pi.
   friend BoundedDouble dilogarithm_imaginary(const BoundedDouble& radius, const BoundedDouble& angle) {
@@ -154,8 +160,6 @@ private:
   static constexpr double smallest_point = 1e-140;
   static constexpr double largest_point = 1e140;
 
-  /// Not a number where one of them is none: nothing is then said.
-  static double larger(double a, double b) { return a < b ? b : (b <= a ? a : a + b); }
   static BoundedDouble own(double value, double passed) {
     return {value, passed * rounded_up + unit * std::abs(value)};
   }

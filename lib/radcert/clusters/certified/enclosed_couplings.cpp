@@ -203,7 +203,7 @@ std::vector<BoundedDouble> EnclosedCouplings::product(Density density, std::span
             const BoundedDouble& value = values[set.first + a];
             const Ball exact(value.value());
             for (std::size_t n = 0; n < k; ++n) to[n] += Ball(w(n, a)) * exact;
-            if (!(value.error() <= largest)) largest = value.error();
+            largest = larger_bound(largest, value.error());
           }
           off[l][i] = (off[l][i] + interpolation_bounds(set.degree).stored * largest) * up;
         }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "radcert/clusters/certified/enclosed_tables.h"
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <span>
@@ -77,7 +76,7 @@ public:
       int left = degree_;
       for (std::size_t corner = 0; corner < 3; ++corner)
         for (int times = 0; times < index[corner]; ++times) step(now, left--, corners[corner]);
-      found = std::max(found, (std::abs(now[0].value()) + now[0].error()) * (1 + 0x1p-50));
+      found = larger_bound(found, (std::abs(now[0].value()) + now[0].error()) * (1 + 0x1p-50));
     }
     return found;
   }

@@ -159,8 +159,8 @@ public:
       points_.normal.push_back(normal.value);
       points_.at.push_back({name.at.s.to_double(), name.at.t.to_double()});
       all_points_.push_back(static_cast<std::uint32_t>(all_points_.size()));
-      points_.errors.position = std::max(points_.errors.position, position.error);
-      points_.errors.normal = std::max(points_.errors.normal, normal.error);
+      points_.errors.position = larger_bound(points_.errors.position, position.error);
+      points_.errors.normal = larger_bound(points_.errors.normal, normal.error);
     }
   }
 

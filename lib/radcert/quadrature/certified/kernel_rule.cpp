@@ -39,8 +39,8 @@ void KernelRule::add(const Vector<BoundedDouble>& position, const Vector<Bounded
                      std::span<const BoundedDouble> weighted) {
   const RoundedVector at = rounded(position);
   const RoundedVector n = rounded(normal);
-  position_error_ = std::max(position_error_, at.error);
-  normal_error_ = std::max(normal_error_, n.error);
+  position_error_ = larger_bound(position_error_, at.error);
+  normal_error_ = larger_bound(normal_error_, n.error);
   data_.insert(data_.end(), {at.value.x, at.value.y, at.value.z, n.value.x, n.value.y, n.value.z});
   for (std::size_t j = 0; j < functions_; ++j) {
     data_.push_back(weighted[j].value());

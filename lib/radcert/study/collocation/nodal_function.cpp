@@ -7,6 +7,7 @@
 
 #include "radcert/polynomial/basis_limits.h"
 #include "radcert/polynomial/rules/conical_rule.h"
+#include "radcert/scalar/bounded_double.h"
 #include "radcert/study/errors/piece_sums.h"
 
 namespace radcert {
@@ -87,7 +88,7 @@ double radius_of_means(const NodalFunction& u_n, double node_radius) {
   for (const auto& [area, area_error, integral, integral_error] : sums) {
     const double mean = std::abs(integral) / area;
     const double radius = (integral_error + mean * area_error) / (area - area_error);
-    if (!(radius <= largest)) largest = radius;
+    largest = larger_bound(largest, radius);
   }
   return largest;
 }
