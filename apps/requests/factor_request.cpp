@@ -68,6 +68,7 @@ void check(const FactorWish& wish, bool two_sided) {
 Factors factors_of(FactorScene scene, const std::string& command, const std::string& name,
                    const FactorWish& wish, const std::string& store, Progress& progress) {
   const double accuracy = accuracy_of(wish);
+  if (wish.certified) require_exact_corners(name, scene, OptionStyle::argument);
   Factors out{.scene = std::make_shared<const FactorScene>(std::move(scene)),
               .units = {},
               .report = {.command = command,

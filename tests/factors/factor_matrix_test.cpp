@@ -7,13 +7,17 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <vector>
 
 #include "radcert/closed_form/factor_catalogue.h"
+#include "radcert/closed_form/polygon_to_polygon.h"
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/parallel.h"
 #include "radcert/factors/factor_mesh.h"
+#include "radcert/factors/input/factor_scene.h"
+#include "radcert/factors/ray_factors.h"
 #include "radcert/surface/catalogue.h"
 #include "sample_rooms.h"
 #include "tests/geometry/sample_meshes.h"
@@ -51,6 +55,67 @@ TEST(FactorMatrix, OfTheUnitCubeIsTheClosedForm) {
       EXPECT_LE(entry.factor.radius, certified ? 2e-16 : 1e-13);
     }
     EXPECT_LE(matrix.closure_defect(matrix.worst_row()), 1e-14);
+  }
+}
+
+/// The corners of a box over [0, a] x [0, b] x [0, c] that those of a triangle of its scene stand for.
+std::vector<Vector<Rational>> corners_of_box(const FactorScene& scene, std::size_t triangle,
+                                             const std::vector<Rational>& sides) {
+  const auto end = [&](double x, const Rational& side) {
+    return 2 * scene.mesh.unit * Rational::exactly(x) > side ? side : Rational(0);
+  };
+  std::vector<Vector<Rational>> out;
+  for (const Vector<double>& p : scene.scene.facet(triangle))
+    out.push_back({end(p.x, sides[0]), end(p.y, sides[1]), end(p.z, sides[2])});
+  return out;
+}
+
+TEST(FactorMatrix, OfABoxIsThatOfItsSidesAndNotOfRoundedOnes) {
+  const auto fractions = [](std::array<const char*, 3> texts) {
+    std::vector<Rational> out;
+    for (const char* text : texts) out.push_back(Rational::parse(text).value());
+    return out;
+  };
+  for (const std::vector<Rational>& sides :
+       {fractions({"21/11", "51/86", "7/12"}), fractions({"13/87", "25/27", "2/7"}),
+        fractions({"28/5", "1/2", "58/7"}), fractions({"0.1", "0.7", "1e-3"}),
+        fractions({"3/4", "1/2", "5"})}) {
+    const FactorScene scene =
+        factor_scene("box", find_surface("box")->make(sides), 0, false, OptionStyle::argument);
+    EXPECT_TRUE(scene.mesh.exact);
+    EXPECT_TRUE(scene.remarks.empty());
+    const FactorUnits units = factor_units(scene.mesh, FactorUnit::triangle);
+    const FactorMatrix proved = matrix_of(scene.scene, units, {.certified = true});
+    const FactorMatrix estimated = matrix_of(scene.scene, units, {});
+    const FactorMatrix by_rays = ray_factors(scene.scene, units, {.accuracy = 1e-2}, {});
+    const BallPrecision precision(200);
+    const auto expect_holds = [&](const Approximation& found, const Ball& exact, const std::string& what) {
+      EXPECT_LE(abs(exact - Ball(found.value)).upper_double(), found.radius)
+          << sides[0].to_text() << " " << sides[1].to_text() << " " << sides[2].to_text() << ": " << what;
+    };
+    for (std::size_t i = 0; i < units.names.size(); ++i) {
+      const std::vector<Vector<Rational>> corners = corners_of_box(scene, i, sides);
+      const Vector<Rational> normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+      const Ball area = sqrt(Ball(dot(normal, normal) / 4));
+      for (const FactorMatrix* matrix : {&proved, &estimated, &by_rays})
+        expect_holds(matrix->rows[i].area, area, "area of " + units.names[i]);
+      EXPECT_LE(proved.rows[i].area.radius, 0x1p-51 * proved.rows[i].area.value);
+    }
+    for (const ConfigurationFactor& entry : proved.entries) {
+      const auto polygon = [&](std::size_t i) {
+        return plane_polygon(corners_of_box(scene, i, sides)).value();
+      };
+      const Ball exact = polygon_to_polygon(polygon(entry.from), polygon(entry.to));
+      const std::string what = units.names[entry.from] + " to " + units.names[entry.to];
+      expect_holds(entry.factor, exact, what);
+      EXPECT_LE(entry.factor.radius, 0x1p-51);
+      const auto other = std::find_if(
+          estimated.entries.begin(), estimated.entries.end(),
+          [&](const ConfigurationFactor& one) { return one.from == entry.from && one.to == entry.to; });
+      ASSERT_NE(other, estimated.entries.end());
+      expect_holds(other->factor, exact, what + ", estimated");
+      EXPECT_NEAR(between(by_rays, entry.from, entry.to), exact.to_double(), 1e-2) << what;
+    }
   }
 }
 

@@ -90,6 +90,24 @@ TEST(FactorScene, OfACatalogueKnowsItsParameters) {
   };
   EXPECT_NE(scene({1, 2, 3}, 0).identity, scene({1, 2, 4}, 0).identity);
   EXPECT_NE(scene({1, 2, 3}, 0).identity, scene({1, 2, 3}, 1).identity);
+  // Sides whose common fraction doubles do not count.
+  const Rational third(1, 3);
+  const FactorScene rounded = scene({third, Rational::parse("0.12345678901234567890123").value(), 1}, 2);
+  EXPECT_FALSE(rounded.mesh.exact);
+  EXPECT_EQ(rounded.mesh.unit, Rational(1));
+  EXPECT_THAT(rounded.remarks, testing::ElementsAre(HasSubstr("those of the rounded ones")));
+  EXPECT_THAT(refusal_of([&] {
+                require_exact_corners("box", rounded, OptionStyle::command_line);
+                return rounded;
+              }),
+              HasSubstr("--certified"));
+  for (const Rational& side : {third, Rational(3, 8), Rational(1)}) {
+    const FactorScene exact = scene({side, 1, 2}, 2);
+    EXPECT_TRUE(exact.mesh.exact);
+    EXPECT_EQ(exact.mesh.unit, side == third ? Rational(2, 3) : Rational(1));
+    EXPECT_TRUE(exact.remarks.empty());
+    EXPECT_NO_THROW(require_exact_corners("box", exact, OptionStyle::command_line));
+  }
   EXPECT_THAT(refusal_of([&] {
                 return factor_scene("sphere", default_surface(*find_surface("sphere")), 0, false, words);
               }),

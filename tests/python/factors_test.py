@@ -2,6 +2,7 @@
 """Configuration factors: against closed forms, sums and the program."""
 import unittest
 import warnings
+from fractions import Fraction
 
 import numpy as np
 import radcert as rc
@@ -62,6 +63,16 @@ class FactorsOfScenes(ModuleTest):
         # Another box has other factors.
         self.assertNotEqual(factors.value.tolist(), rc.box(1, 1, 3).factors(by="piece").value.tolist())
         self.assertEqual(rc.cube().factors(by="triangle", level=1).value.shape, (48, 48))
+        # Sides that are no doubles are not rounded, or nothing is proved of them.
+        box = rc.box("21/11", "51/86", "7/12").factors(by="triangle", certified=True)
+        at = box.names.index("west/1")
+        self.assertTrue(box.guaranteed)
+        self.assertLessEqual(abs(Fraction(357, 2064) - Fraction(float(box.area.value[at]))),
+                             Fraction(float(box.area.radius[at])))
+        long = rc.box("1/3", "0.12345678901234567890123", 1)
+        self.refused(lambda: long.factors(certified=True), "that no doubles hold")
+        with self.assertWarnsRegex(rc.FactorWarning, "those of the rounded ones"):
+            long.factors()
         self.refused(lambda: rc.sphere().factors(), "is curved")
         self.refused(lambda: rc.cube().factors(level=9), "from 0 to 8")
 

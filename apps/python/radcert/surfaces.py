@@ -89,7 +89,8 @@ class Surface:
     def factors(self, by: str = "piece", accuracy: Optional[float] = None, *, level: int = 0, certified: bool = False,
                 rays: bool = False, space: bool = False, store: Store = None, progress: Listener = None) -> Factors:
         """Configuration factors between triangles or pieces, see ``Mesh.factors``; of a surface of plane pieces alone.
-        level: each triangle of the coarse triangulation is cut into 4^level."""
+        level: each triangle of the coarse triangulation is cut into 4^level.
+        certified: as there; InputError where doubles hold the corners in no unit of lengths, as of sides with 30 digits."""
         wanted = None if accuracy is None else real(accuracy, "accuracy")
         return Factors(_core.factors_of_surface(self._choice, level, by, wanted, flag(certified, "certified"),
                                                 flag(rays, "rays"), flag(space, "space"),

@@ -206,6 +206,7 @@ ExitCode factors(const Common& common, const FactorsOptions& options) {
     throw InputError({.source = "--rays", .problem = "proves nothing", .allowed = "without --certified"});
 
   const FactorScene named = scene_of(options);
+  if (options.certified) require_exact_corners(options.name, named, OptionStyle::command_line);
   require_same_on_all_ranks(options.name, named.identity);
   // Rays go by whole rows of units, and the first rank sends them.
   if (options.rays && !ranks().is_first()) return ExitCode::done;

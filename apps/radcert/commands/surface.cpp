@@ -278,7 +278,8 @@ std::vector<PieceMeasures> measures_of(const MeshSurvey& survey) {
 std::vector<PieceMeasures> measures_of(const Surface& surface) {
   for (const Chart& chart : surface.charts)
     if (!chart.facts().plane) return {};
-  const FactorMesh mesh = factor_mesh(surface, 0);
+  FactorMesh mesh = factor_mesh(surface, 0);
+  for (Vector<double>& vertex : mesh.mesh.vertices) vertex = mesh.unit.to_double() * vertex;
   return piece_measures(mesh.mesh, mesh.piece, mesh.piece_names.size());
 }
 

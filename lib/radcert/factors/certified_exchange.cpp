@@ -85,7 +85,8 @@ const WorkLimit most_evaluations_of_a_shadow("factors/certified_exchange: evalua
                                              "the ball reached, or all between nothing and the whole");
 
 Ball certified_area(const FacetScene& scene, std::size_t triangle) {
-  return area_of(exact_corners(scene.facet(triangle)));
+  const Ball area = area_of(exact_corners(scene.facet(triangle)));
+  return scene.unit() == Rational(1) ? area : area * Ball(scene.unit() * scene.unit());
 }
 
 Ball certified_exchange_area(const FacetScene& scene, std::size_t first, std::size_t second,

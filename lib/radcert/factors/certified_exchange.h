@@ -32,6 +32,7 @@ struct CertifiedDemand {
                                            const FacetPair& pair, const CertifiedDemand& demand);
 
 /// The area of a triangle, enclosed.
+/// Result    in the scene's coordinates, times the square of its unit
 [[nodiscard]] Ball certified_area(const FacetScene& scene, std::size_t triangle);
 
 }  // namespace radcert

@@ -141,7 +141,8 @@ std::optional<std::string> beyond_doubles(const TriangleMesh& mesh) {
   return std::nullopt;
 }
 
-FacetScene::FacetScene(TriangleMesh mesh) : scene_(std::move(mesh)) {
+FacetScene::FacetScene(TriangleMesh mesh, Rational unit) : scene_(std::move(mesh)), unit_(std::move(unit)) {
+  expects(unit_.sign() > 0, "a positive unit of lengths", named("unit", unit_));
   expects(facet_count() > 0, "a scene of at least one triangle");
   if (const auto words = beyond_doubles(scene_.mesh()))
     expects(false, "a scene that doubles carry: it " + *words);

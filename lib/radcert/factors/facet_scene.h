@@ -62,7 +62,7 @@ struct FacetPair {
 ///           lies in it or outside: in it, if no corner is in front of a face's plane and not all are in the
 ///           plane. From outside to inside each segment meets the body's surface: the pair is hidden; between
 ///           two points inside none does, for the body is convex: its faces are no occluders of the pair
-/// Requires  at least one triangle and !beyond_doubles(mesh), else ContractViolation; the scene has no faults
+/// Requires  at least one triangle, !beyond_doubles(mesh) and unit > 0, else ContractViolation; no faults
 ///           (scene_faults) but doubled triangles that run against each other, the two sides of a plate, else
 ///           pairs may be called whole that are not
 /// Result    pair(): every decision exact for the given doubles; corners that a plane cuts off are rounded.
@@ -72,7 +72,8 @@ struct FacetPair {
 ///           other, or of a polygon itself
 class FacetScene {
 public:
-  explicit FacetScene(TriangleMesh mesh);
+  /// `unit`: the length that the coordinates count, see FactorMesh.
+  explicit FacetScene(TriangleMesh mesh, Rational unit = 1);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] std::size_t facet_count() const { return scene_.triangle_count(); }
@@ -85,6 +86,8 @@ public:
   /// How the triangles fit together, vertices with equal coordinates being one.
   [[nodiscard]] const MeshTopology& topology() const { return topology_; }
   [[nodiscard]] double total_area() const { return total_area_; }
+  /// Points, areas and exchange areas of the scene are in its coordinates, lengths in multiples of this.
+  [[nodiscard]] const Rational& unit() const { return unit_; }
   [[nodiscard]] const std::vector<ConvexOccluder>& occluders() const { return occluders_; }
   /// Whether occluders of one number are faces of a convex body, of which only those that look at a point
   /// hide anything from it.
@@ -114,6 +117,7 @@ private:
   void find_contained();
 
   Scene scene_;
+  Rational unit_;
   MeshTopology topology_;
   std::vector<double> areas_;
   std::vector<Vector<double>> unit_normals_;

@@ -127,6 +127,15 @@ public:
     return sums_[high * (high + 1) / 2 + std::min(a, b)];
   }
   [[nodiscard]] std::size_t size() const { return units_; }
+  /// In coordinates that count this length, in place of lengths of 1.
+  void count_in(const Rational& unit) {
+    if (unit == Rational(1)) return;
+    const Ball factor(unit * unit);
+    for (Approximation& sum : sums_) {
+      const double value = sum.value * factor.to_double();
+      sum = {value, abs(ball_of(sum) * factor - Ball(value)).upper_double(), sum.guaranteed};
+    }
+  }
   /// Of the whole matrix, those that are not exactly zero.
   [[nodiscard]] std::size_t entry_count() const {
     std::size_t count = 0;
@@ -504,6 +513,7 @@ FactorMatrix factor_matrix(const FacetScene& scene, const FactorUnits& units, co
     progress.at(static_cast<double>(done) / static_cast<double>(all));
   }
   if (!progress.ranks->is_first()) return {};
+  sums.count_in(scene.unit());
   finish(matrix, sums, demand, progress);
   return matrix;
 }

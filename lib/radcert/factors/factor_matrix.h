@@ -42,7 +42,7 @@ struct ConfigurationFactor {
   Approximation factor;
 };
 
-/// A row of the matrix as a whole.
+/// A row of the matrix as a whole; the area in the square of a length of 1, whatever the scene's unit.
 struct FactorRow {
   Approximation area = Approximation::exact(0);
   Approximation sum = Approximation::exact(0);

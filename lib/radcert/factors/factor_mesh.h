@@ -21,14 +21,23 @@ struct FactorMesh {
   std::vector<std::string> piece_names;
   /// Whether a piece has triangles of several planes: then the mesh may stand for something round.
   bool pieces_bend = false;
+  /// The length that the coordinates of the mesh count: those of a surface whose sides are thirds may be
+  /// whole.
+  Rational unit = 1;
+  /// Whether the corners, times the unit, are those of what is named, and none was rounded.
+  bool exact = true;
 };
 
 /// A surface of the catalogue, each triangle cut into 4^level.
-/// Maths     the triangulation of that level; corners F(s,t)
-/// Source    triangulate
+/// Maths     the triangulation of that level; corners F(s,t). Where these have denominators other than
+///           powers of 2, of which the least common multiple is n, they are counted in units of 2^k / n, 1 <=
+///           n / 2^k < 2: then numerators of few digits are doubles
+/// Source    triangulate; the exact formulas of the charts, affine_image
 /// Requires  plane charts, else ContractViolation; 0 <= level
-/// Result    corners in doubles: exact where the surface's parameters have few binary digits, else rounded
-/// Limits    charts whose common corners round differently come apart: not those of the catalogue
+/// Result    exact corners with the unit 1, where all of them are doubles; else in the unit above, where they
+///           are doubles in it; else with the unit 1, each coordinate rounded to nearest, and !exact
+/// Limits    charts without an exact formula, not those of the catalogue, count as rounded, and come apart
+///           where their common corners round differently
 [[nodiscard]] FactorMesh factor_mesh(const Surface& surface, int level);
 
 /// A mesh file, turned so that its inner normals are those of the cross product.

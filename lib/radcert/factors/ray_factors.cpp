@@ -370,7 +370,8 @@ private:
 
 std::vector<double> unit_areas(const FacetScene& scene, const FactorUnits& units) {
   std::vector<double> areas(units.names.size(), 0);
-  for (std::size_t t = 0; t < scene.facet_count(); ++t) areas[units.of_triangle[t]] += scene.area(t);
+  const double square = (scene.unit() * scene.unit()).to_double();
+  for (std::size_t t = 0; t < scene.facet_count(); ++t) areas[units.of_triangle[t]] += square * scene.area(t);
   return areas;
 }
 

@@ -8,35 +8,13 @@
 #include "radcert/core/contract.h"
 #include "radcert/geometry/orientation.h"
 #include "radcert/polynomial/plane_polynomial_algebra.h"
+#include "radcert/surface/affine_image.h"
 #include "radcert/surface/exact_chart.h"
 
 namespace radcert {
 namespace {
 
 using Polynomial = PlanePolynomial<Rational>;
-
-/// The value of a sum of powers at one of the corners of the unit square.
-Rational at_corner(const PowerSum& sum, bool s, bool t) {
-  Rational value = 0;
-  for (const auto& [exponents, coefficient] : sum)
-    if ((s || exponents[0].sign() == 0) && (t || exponents[1].sign() == 0)) value += coefficient;
-  return value;
-}
-
-std::optional<Vector<Rational>> at_corner(const Vector<ExactFunction>& image, bool s, bool t) {
-  Vector<Rational> point;
-  const auto coordinate = [&](const ExactFunction& f, Rational& value) {
-    const std::optional<PowerQuotient> quotient = f.quotient();
-    if (!f.is_known() || !quotient) return false;
-    const Rational denominator = at_corner(quotient->denominator, s, t);
-    if (denominator.sign() == 0) return false;
-    value = at_corner(quotient->numerator, s, t) / denominator;
-    return true;
-  };
-  if (!coordinate(image.x, point.x) || !coordinate(image.y, point.y) || !coordinate(image.z, point.z))
-    return std::nullopt;
-  return point;
-}
 
 /// Of degree 0 where the function is constant.
 Polynomial affine(const Rational& value, const Rational& by_s, const Rational& by_t) {
@@ -94,14 +72,11 @@ std::optional<PlaneChart> plane_chart(const Surface& surface, std::size_t chart)
   }
   const ExactImage* formula = exact_image(surface.charts[chart].in<Ball>());
   if (formula == nullptr) return std::nullopt;
-  const Vector<ExactFunction> image = formula->image();
-  const std::optional<Vector<Rational>> origin = at_corner(image, false, false);
-  const std::optional<Vector<Rational>> along_s = at_corner(image, true, false);
-  const std::optional<Vector<Rational>> along_t = at_corner(image, false, true);
-  if (!origin || !along_s || !along_t) return std::nullopt;
-  return PlaneChart{.origin = *origin,
-                    .first = *along_s - *origin,
-                    .second = *along_t - *origin,
+  const std::optional<AffineImage> image = affine_image(formula->image());
+  if (!image) return std::nullopt;
+  return PlaneChart{.origin = image->origin,
+                    .first = image->first,
+                    .second = image->second,
                     .orientation = facts.orientation};
 }
 

@@ -7,6 +7,7 @@
 
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/geometry/orientation.h"
 #include "radcert/hypotheses/mesh_survey.h"
 #include "radcert/visibility/scene.h"
 
@@ -83,8 +84,15 @@ MeshSurvey sound_survey(const std::string& name, const MeshFile& file, const Fac
 
 std::string edge_text(const FacetScene& scene, std::size_t edge) {
   const MeshEdge& e = scene.topology().edges[edge];
-  return point_text(scene.scene().vertex(e.from)) + " to " + point_text(scene.scene().vertex(e.to));
+  const auto text = [&](std::size_t vertex) {
+    const Vector<Rational> p = scene.unit() * exactly(scene.scene().vertex(vertex));
+    return point_text({p.x.to_double(), p.y.to_double(), p.z.to_double()});
+  };
+  return text(e.from) + " to " + text(e.to);
 }
+
+/// What is remarked, or refused, where corners are rounded.
+constexpr const char* rounded_corners = "has corners that no doubles hold in one unit of lengths";
 
 void require_orientation(const std::string& name, const FacetScene& scene) {
   const std::vector<std::size_t>& edges = scene.topology().disagreeing_edges;
@@ -163,18 +171,30 @@ FactorScene factor_scene(const std::string& name, const Surface& surface, int le
            .allowed = "surfaces of plane pieces, or a mesh file: then the factors are those of its facets"});
   FactorMesh mesh = factor_mesh(surface, level);
   require_scene(name, mesh.mesh);
-  FacetScene scene(mesh.mesh);
+  FacetScene scene(mesh.mesh, mesh.unit);
   require_orientation(name, scene);
   const bool open = is_open(name, scene, {}, false, space, style);
   std::string identity = surface.name;
   for (const SurfaceParameter& parameter : surface.parameters)
     identity += " " + parameter.name + " " + parameter.value.to_text();
+  std::vector<std::string> remarks;
+  if (!mesh.exact)
+    remarks.push_back(name + " " + rounded_corners + ": factors and areas are those of the rounded ones");
   return {.mesh = std::move(mesh),
           .scene = std::move(scene),
           .identity = identity + " " + std::to_string(level),
           .mended = {},
-          .remarks = {},
+          .remarks = std::move(remarks),
           .open = open};
+}
+
+void require_exact_corners(const std::string& name, const FactorScene& scene, OptionStyle style) {
+  if (scene.mesh.exact) return;
+  throw InputError(
+      {.source = option_name(style, "certified"),
+       .problem = "proves nothing of " + name + ", which " + rounded_corners,
+       .allowed = "parameters that are whole multiples, of at most 16 digits, of one fraction; " +
+                  std::string("or a mesh file, whose corners are the doubles that are read")});
 }
 
 }  // namespace radcert

@@ -48,8 +48,14 @@ struct FactorScene {
 
 /// A surface of the catalogue as a scene, each triangle cut into 4^level.
 /// Requires  0 <= level
-/// Result    as above; InputError for a surface that is curved
+/// Result    as above; InputError for a surface that is curved. Rounded corners, see factor_mesh, are
+///           remarked
 [[nodiscard]] FactorScene factor_scene(const std::string& name, const Surface& surface, int level, bool space,
                                        OptionStyle style);
+
+/// Refuses proved factors where the scene is not what it is called: its corners were rounded.
+/// Requires  `name` and `style` for messages
+/// Result    returns, or throws InputError at the option `certified`
+void require_exact_corners(const std::string& name, const FactorScene& scene, OptionStyle style);
 
 }  // namespace radcert
