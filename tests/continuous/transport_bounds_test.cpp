@@ -781,6 +781,25 @@ TEST(TurnBound, HoldsForComplexObserversNearAnEdge) {
   EXPECT_GT(moduli.quotient, 0.8);
 }
 
+TEST(TurnBound, CountsWhatIsFarAsItsMathsSays) {
+  // 1 + 2/(k-1) (f-1), f the form's growth, put together here once more.
+  Chance chance(107);
+  for (int i = 0; i < 2000; ++i) {
+    const double reach = chance.scale(1e-3, 1e3);
+    const double size = reach * chance.scale(1e-6, 0.33);
+    double least = HUGE_VAL;
+    for (const double k : {3.0, 5.0, 9.0, 20.0}) {
+      if (!(k * size < reach)) continue;
+      const double turn = 0.5 * pi / std::log(reach / (k * size));
+      const double form = std::pow((k + 1) * (k + 1) / (k * k + 1), 2) * std::sqrt(1 + turn * turn);
+      least = std::min(least, 1 + 2 / (k - 1) * (form - 1));
+    }
+    const double bound = turn_bound(size, reach);
+    EXPECT_GE(bound, least * (1 - 1e-12)) << size << " of " << reach;
+    EXPECT_LE(bound, least * (1 + 1e-9)) << size << " of " << reach;
+  }
+}
+
 // Sources on complex lines ------------------------------------------------------------------------------
 
 TEST(KernelInEllipse, BoundsTheKernelAlongSources) {
