@@ -429,6 +429,27 @@ TEST(VerifiedLevel, RefusesWhatHasNoGuarantee) {
   EXPECT_THAT(refusal(with_emission(open, "1")), HasSubstr("norm of K is not proved to be below 1"));
 }
 
+TEST(VerifiedLevel, RefusesRowsThatAreProvedNotToBeOneOnAClosedSurface) {
+  // A tetrahedron of which a face is missing, and which is said to be closed: from where it is missing nothing
+  // comes, so that rows are less than 1.
+  std::mt19937_64 random(7);
+  Tetrahedron t = random_tetrahedron(random);
+  for (const bool has_solution : {false, true}) {
+    t.has_solution = has_solution;
+    Problem problem = t.problem();
+    EXPECT_EQ(refusal(problem), "(none)");
+    TriangleMesh open = t.mesh;
+    open.triangles.pop_back();
+    open.group.pop_back();
+    open.face.pop_back();
+    problem.surface.mesh->surface = std::make_shared<const Surface>(mesh_surface(
+        "open", open, std::vector<std::size_t>{0, 1, 2}, std::vector<std::string>{"a", "b", "c"},
+        {.orientation = Orientation::against_the_cross_product, .closed = true, .unoccluded = true}));
+    problem.reflectivity = everywhere("1/2");
+    EXPECT_THAT(refusal(problem), HasSubstr("where it must be 1"));
+  }
+}
+
 TEST(VerifiedLevel, HoldsPeaksBetweenTheNodes) {
   // At the nodes the second is 0 as far as doubles show; both are large where complex numbers enter the
   // bounds.
