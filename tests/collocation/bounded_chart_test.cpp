@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -10,6 +12,7 @@
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 #include "radcert/surface/catalogue/paraboloid_cap.h"
+#include "radcert/surface/catalogue/rectangle.h"
 #include "radcert/surface/catalogue/two_piece.h"
 #include "radcert/triangulation/interpolated_surface.h"
 
@@ -101,6 +104,30 @@ TEST(BoundedChart, CountsWhatADoubleIsTooCoarseFor) {
     EXPECT_GT(found.error(), 0) << exponent;
   }
   EXPECT_EQ(bounded(Ball(0)).error(), 0);
+}
+
+TEST(BoundedChart, CountsWhatItsCoefficientsAreOffBy) {
+  // x = -(1 + a - e) + (1 + b + e) s: e is hardly less than half a unit of 1, by which both coefficients are off
+  // when rounded, and the two terms nearly cancel, so that their sum adds hardly any bound. Of the products one is
+  // looked for whose rounding adds as much.
+  const Rational e = Rational::exactly(0x1.fffffp-54);
+  std::mt19937_64 random(17);
+  const auto little = [&] { return std::ldexp(static_cast<double>(random() % 1024), -36); };
+  double closest = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    const Rational origin = e - Rational::exactly(1 + little());
+    const Rational side = e + Rational::exactly(1 + 0x1p-24 + little());
+    const Chart rectangle =
+        make_rectangle({.name = "r", .piece = "r"}, {origin, 0, 0}, {side, 0, 0}, {0, 1, 0});
+    const BoundedChart chart(rectangle);
+    ASSERT_TRUE(chart.is_polynomial());
+    const double s = 1 - little();
+    const BoundedDouble found = chart.frame({BoundedDouble::exactly(s), BoundedDouble::exactly(0)}).point.x;
+    const Rational off = abs(origin + Rational::exactly(s) * side - Rational::exactly(found.value()));
+    EXPECT_LE(off, Rational::exactly(found.error())) << trial;
+    closest = std::max(closest, (off / Rational::exactly(found.error())).to_double());
+  }
+  EXPECT_GT(closest, 0.6);
 }
 
 TEST(BoundedChart, ConvertsBallsBothWays) {

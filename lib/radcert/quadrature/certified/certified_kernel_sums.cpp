@@ -14,6 +14,7 @@
 #include "radcert/geometry/plane_polygon.h"
 #include "radcert/quadrature/certified/disk_bound.h"
 #include "radcert/quadrature/certified/integral_from_within.h"
+#include "radcert/quadrature/certified/kernel_disk.h"
 #include "radcert/quadrature/certified/kernel_rule.h"
 
 namespace radcert {
@@ -34,8 +35,6 @@ const WorkLimit deepest("quadrature/certified_kernel_sums: quarterings of an ele
 
 /// The places of those ellipses for which there is a Taylor model of their own.
 constexpr std::array<std::size_t, 5> modelled{0, 2, 5, 8, 10};
-
-double upper_norm(double x, double y, double z) { return std::sqrt(x * x + y * y + z * z) * up; }
 
 /// A triangle within an element by the barycentric coordinates of its corners, which are exact: whole numbers
 /// over 2^depth.
@@ -344,38 +343,15 @@ private:
       centre_ = {f[0]->centre().real, f[1]->centre().real, f[2]->centre().real};
       has_centre = true;
     }
-    constexpr auto powers = static_cast<std::size_t>(TaylorModel::highest_degree + 1);
-    std::array<double, powers> linear{};  // lengths of the real vectors, by the power of z
-    std::array<std::array<double, 3>, powers> rest{};
-    const std::array<double, 3> centre{centre_.x, centre_.y, centre_.z};
-    for (std::size_t i = 0; i < powers; ++i)
-      for (std::size_t j = 0; i + j < powers; ++j) {
-        std::array<double, 3> real{};
-        for (std::size_t c = 0; c < 3; ++c) {
-          const ComplexDouble a = f[c]->coefficient(static_cast<int>(i), static_cast<int>(j));
-          if (i + j == 0) {
-            rest[i][c] += std::abs(a.real - centre[c]) * up + std::abs(a.imag);
-          } else if (i >= 2) {
-            rest[i][c] += std::abs(a.real) + std::abs(a.imag);
-          } else {
-            real[c] = a.real;
-            rest[i][c] += std::abs(a.imag);
-          }
-        }
-        linear[i] += upper_norm(real[0], real[1], real[2]);
-      }
+    const KernelDisk disk(frame.point, centre_);
     const auto longest = [](std::size_t r) {
       return GaussOrders::ellipses[r] + 1 / GaussOrders::ellipses[r];
     };
     for (std::size_t r = from; r <= to; ++r) {
       const double smaller = r == to ? 1 : longest(r) / longest(to) * up;
-      std::array<double, 3> others{f[0]->remainder(), f[1]->remainder(), f[2]->remainder()};
-      double scale = 1;
-      for (std::size_t i = 0; i < powers; ++i, scale *= smaller)
-        for (std::size_t c = 0; c < 3; ++c) others[c] += rest[i][c] * scale;
       bounds.push_back({.ellipse = r,
-                        .linear = (linear[0] + linear[1] * smaller) * up,
-                        .rest = upper_norm(others[0], others[1], others[2]) * up,
+                        .linear = disk.linear(smaller),
+                        .rest = disk.rest(smaller),
                         .weight = weight,
                         .allowed = allowed});
     }
