@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "radcert/continuous/elements/graded_elements.h"
 #include "radcert/continuous/observer_cells.h"
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/transport/transport.h"
@@ -170,6 +171,73 @@ TEST(FunctionEnclosure, IsRefusedWhereTwoVerticesAreAsNearAsDoubleCanTell) {
   const FunctionEnclosure found = enclose_function(sharp, 1, 0.1);
   EXPECT_FALSE(std::isfinite(found.sup));
   EXPECT_FALSE(found.hindrance.empty());
+}
+
+TEST(FunctionEnclosure, AddsTheResidualAndWhatIsReflectedOfIt) {
+  // u - v = R + K R + K K R + ... with R the residual: where that of every element is r or more, |u - v| may be R +
+  // r rho/(1 - rho).
+  const PolyhedronProblem asked = problem("tetrahedron", Rational(1, 4), Rational(3, 4));
+  const FunctionEnclosure found = enclose_function(asked, 10000, 0.1, {}, true);
+  const SectorScene scene(asked.panels);
+  const std::vector<SectorElement> elements = graded_elements(scene, found.last.layers);
+  const FunctionProof& proof = *found.proof;
+  ASSERT_EQ(found.parts.size(), 16 * elements.size());
+  const auto in_units = [&](double x) { return std::ldexp(x, proof.exponent); };
+  const double least = in_units(*std::min_element(proof.residuals.begin(), proof.residuals.end()));
+  const double most = in_units(*std::max_element(proof.residuals.begin(), proof.residuals.end()));
+  const double reflected = least / 3;
+  ASSERT_GT(reflected, 1e-6 * most);
+  std::size_t tried = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e)
+    for (std::size_t k = 0; k < proof.elements.size(); ++k) {
+      if (proof.elements[k].sector != elements[e].sector || proof.elements[k].box != elements[e].box)
+        continue;
+      ++tried;
+      double bound = 0;
+      for (std::size_t part = 16 * e; part < 16 * (e + 1); ++part)
+        bound = std::max(bound, found.parts[part].bound);
+      EXPECT_GE(bound, in_units(proof.residuals[k]) + reflected) << e;
+    }
+  EXPECT_GT(tried, elements.size() / 2);
+  EXPECT_GE(found.by_distance.back().sup, most + reflected);
+  for (const FunctionEnclosure::AtDistance& at : found.by_distance) {
+    double outside = 0;
+    for (std::size_t k = 0; k < proof.elements.size(); ++k)
+      if (proof.farthest[k] >= at.outside && proof.elements[k].box.t0 > 0)
+        outside = std::max(outside, in_units(proof.residuals[k]));
+    EXPECT_GE(at.sup, outside + reflected) << at.outside;
+  }
+}
+
+TEST(FunctionEnclosure, CountsWhatItsValuesAreRoundedBy) {
+  // Nothing reflects, and v = E is a Chebyshev polynomial across a face: the P_i that its values are summed from are
+  // off by 8 (i+1)^2 units.
+  PolyhedronProblem dark = problem("tetrahedron", 0, 0);
+  const PlanePolynomial<Rational> x = affine_polynomial<Rational>(Rational(-1), Rational(2), 0);
+  PlanePolynomial<Rational> before = constant_polynomial(Rational(1));
+  dark.emission[2] = x;
+  for (int n = 1; n < 8; ++n) {
+    const PlanePolynomial<Rational> next =
+        sum(product(product(constant_polynomial(Rational(2)), x), dark.emission[2]), Rational(-1), before);
+    before = std::exchange(dark.emission[2], next);
+  }
+  const FunctionEnclosure found = enclose_function(dark, 1, 0.1);
+  const SectorScene scene(dark.panels);
+  const std::vector<SectorElement> elements = graded_elements(scene, found.last.layers);
+  ASSERT_EQ(found.parts.size(), 16 * elements.size());
+  const SectorFunctions v = emission_functions(dark, scene, elements, 1, 8, 0);
+  double largest = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    double off = 0;
+    for (std::size_t i = 0; i <= 8; ++i)
+      for (std::size_t j = 0; j <= 8; ++j) {
+        const std::size_t in_both = (i > 1 ? (i + 1) * (i + 1) : 0) + (j > 1 ? (j + 1) * (j + 1) : 0);
+        off += 8 * static_cast<double>(in_both) * unit_roundoff<double>() * std::abs(v.of(e, 0)[9 * i + j]);
+      }
+    largest = std::max(largest, off);
+    for (std::size_t part = 16 * e; part < 16 * (e + 1); ++part) EXPECT_GE(found.parts[part].bound, off) << e;
+  }
+  EXPECT_GT(largest, 100 * unit_roundoff<double>());
 }
 
 /// Functions on three layers that have jumps, small as those of an approximation.

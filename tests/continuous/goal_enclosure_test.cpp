@@ -281,6 +281,18 @@ TEST(GoalEnclosure, GoesOnFromWhatIsKept) {
   EXPECT_EQ(half.numbers, memory.numbers);
 }
 
+TEST(GoalEnclosure, CountsTheProductOfBothNormsOverTheGap) {
+  // rho is 7/10 at most.
+  const GoalEnclosure found = enclose_means(lit("tetrahedron"), 30, {}, true);
+  const GoalProof& proof = *found.proof;
+  ASSERT_EQ(proof.norms.size(), 1 + proof.radii.size());
+  for (std::size_t k = 0; k < proof.radii.size(); ++k) {
+    const double of_norms = proof.norms[0] * proof.norms[1 + k] / 0.3;
+    EXPECT_GE(proof.radii[k], of_norms * (1 - 1e-12)) << k;
+    EXPECT_LE(proof.radii[k], 2.5 * of_norms) << k;
+  }
+}
+
 TEST(GoalEnclosure, HasPolynomialEmissions) {
   // u is linear in E.
   const auto with = [](const Rational& a, const Rational& b, int power) {

@@ -122,6 +122,34 @@ TEST(ResidualBounds, CountWhatSamplesAreOffBy) {
   }
 }
 
+TEST(ResidualBounds, TakeProductsOfEachFunctionWithEachResidual) {
+  const Chosen chosen("tetrahedron", 2, 0, drawn(41, 1), drawn(42, 3));
+  const std::array<ObserverCell, 2> cells = two_cells(chosen);
+  std::array<double, 4> with_t{};
+  double size = 0;
+  for (std::size_t e = 0; e < chosen.elements.size(); ++e)
+    chosen.at_nodes({.element = e, .box = chosen.elements[e].box, .nodes_s = 3, .nodes_t = 3},
+                    [&](std::size_t, double weight, const auto& w, const auto& q) {
+                      for (std::size_t i = 0; i < 2; ++i)
+                        for (std::size_t k = 0; k < 2; ++k) {
+                          with_t[2 * i + k] -= weight * w[k] * q[i];
+                          size += weight * std::abs(w[k] * q[i]);
+                        }
+                    });
+  for (const ObserverCell& cell : cells) {
+    const CellSamples found = chosen.samples(cell);
+    chosen.at_nodes(cell, [&](std::size_t node, double weight, const auto& w, const auto&) {
+      for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t k = 0; k < 2; ++k) with_t[2 * i + k] += weight * w[k] * found.values[2 * node + i];
+    });
+  }
+  const ResidualSums sums = residual_sums(chosen.trial, cells, no_demand, false, nullptr, 2);
+  ASSERT_EQ(sums.products.size(), 4U);
+  for (std::size_t place = 0; place < 4; ++place)
+    EXPECT_NEAR(sums.products[place].value, with_t[place], 1e-12 * size) << place;
+  EXPECT_GT(std::abs(with_t[1] - with_t[2]), 1e-3 * size);
+}
+
 TEST(ResidualBounds, CountWhatRulesMiss) {
   // t = T 2 - 1 = 1 has the same size everywhere: what rules miss may add to it.
   const Chosen chosen("tetrahedron", 2, 0.5, constant(1.5), constant(1));
