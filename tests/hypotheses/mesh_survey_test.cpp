@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "radcert/core/errors.h"
+#include "radcert/geometry/orientation.h"
+#include "radcert/hypotheses/nesting.h"
 #include "tests/geometry/sample_meshes.h"
 
 namespace radcert {
@@ -133,6 +136,73 @@ TEST(MeshSurvey, KnowsWhetherARoomAndWhatIsInItHaveOneInside) {
   EXPECT_TRUE(survey_of(sample::together(room, within, false)).front.misoriented.empty());
   EXPECT_EQ(survey_of(sample::together(room, within, true)).front.misoriented,
             (std::vector<std::size_t>{24}));
+}
+
+/// A tetrahedron with its faces counterclockwise as seen from outside.
+sample::Polyhedron tetrahedron_of(const std::array<Vector<double>, 4>& corners) {
+  sample::Polyhedron out{{corners.begin(), corners.end()}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
+  return orientation(corners[0], corners[1], corners[2], corners[3]) > 0 ? out : reversed(out);
+}
+
+TEST(MeshSurvey, KnowsTheInnerSideOfWhatTouchesARoomInAVertex) {
+  // A tetrahedron with a vertex in a corner of a cube: there the cube winds an eighth of a time.
+  const sample::Polyhedron room = sample::cube();
+  const sample::Polyhedron inner =
+      tetrahedron_of({{{0, 0, 0}, {0.5, 0.25, 0.25}, {0.25, 0.5, 0.25}, {0.25, 0.25, 0.5}}});
+  const sample::Polyhedron outer =
+      tetrahedron_of({{{0, 0, 0}, {-0.5, -0.25, -0.25}, {-0.25, -0.5, -0.25}, {-0.25, -0.25, -0.5}}});
+  for (const bool inwards : {false, true}) {
+    const auto survey = [&](const sample::Polyhedron& other, bool turned) {
+      const sample::Polyhedron both = sample::together(room, other, turned);
+      return survey_of(inwards ? reversed(both) : both, {.vertices = true});
+    };
+    EXPECT_EQ(survey(inner, true).topology.pinched_vertices.size(), 1U);
+    EXPECT_FALSE(survey(inner, true).obstacle().has_value());
+    EXPECT_EQ(survey(inner, false).front.misoriented, (std::vector<std::size_t>{12}));
+    // Beside the cube it is a room of its own, or refused.
+    EXPECT_EQ(survey(outer, false).obstacle().has_value(), !inwards);
+    EXPECT_EQ(survey(outer, true).front.misoriented, (std::vector<std::size_t>{12}));
+  }
+}
+
+TEST(MeshSurvey, KnowsTheInnerSideOfWhatNearlyTouchesAnEdge) {
+  // Solid angles about the first vertex of the inner one are noise: it lies within rounding of an edge.
+  const std::array<Vector<double>, 4> room{
+      {{0.26618386837884622, 0.73288701824019775, 0.20985588003338332},
+       {0.49011091916642946, 0.04577871662507231, 0.68814085067398756},
+       {0.30287529614405156, 0.10818637931189366, 0.28247665517977882},
+       {0.85383231960077544, 0.081249035715686715, 0.055921440906334316}}};
+  const std::array<Vector<double>, 4> inner{{{0.35866070252239052, 0.44912674799312607, 0.40737681262154957},
+                                             {0.4375, 0.34375, 0.34375},
+                                             {0.4375, 0.3125, 0.34375},
+                                             {0.421875, 0.3125, 0.3125}}};
+  for (const Vector<double>& corner : inner)
+    for (const VertexTriple& t : {VertexTriple{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}})
+      ASSERT_EQ(orientation(room[t[0]], room[t[1]], room[t[2]], corner),
+                -orientation(room[0], room[1], room[2], room[3]));
+  const sample::Polyhedron large = tetrahedron_of(room);
+  const sample::Polyhedron small = tetrahedron_of(inner);
+  for (const bool inwards : {false, true}) {
+    const auto survey = [&](bool turned) {
+      const sample::Polyhedron both = sample::together(large, small, turned);
+      return survey_of(inwards ? reversed(both) : both);
+    };
+    EXPECT_FALSE(survey(true).obstacle().has_value());
+    EXPECT_EQ(survey(false).front.misoriented, (std::vector<std::size_t>{4}));
+  }
+}
+
+TEST(MisorientedComponents, RefusesWhatItCannotDecide) {
+  // The second has its corners at those points of the first's faces from which rays begin.
+  const TriangleMesh mesh =
+      sample::mesh_of(sample::together(tetrahedron_of({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}}),
+                                       tetrahedron_of({{{1, 1, 0}, {1, 0, 1}, {2, 1, 1}, {0, 1, 1}}}), true));
+  const MeshTopology topology = mesh_topology(mesh);
+  const auto found =
+      misoriented_components(mesh, topology, Orientation::against_the_cross_product, LightOf::rooms);
+  ASSERT_FALSE(found);
+  EXPECT_THAT(found.reason(), HasSubstr("lies on another"));
+  EXPECT_FALSE(outermost_components(mesh, topology));
 }
 
 TEST(MeshSurvey, NamesTheObstacle) {

@@ -35,6 +35,21 @@ bool balanced(const MeshTopology& topology) {
 const std::string outside_and_inside =
     ": with front right-hand its light is outside, and leaves; with front left-hand it is inside";
 
+/// Settles whether the light of a mesh without boundary, with its front known, is within or around the bodies.
+void settle_by_winding(MeshFront& front, const TriangleMesh& mesh, const MeshTopology& topology) {
+  Outcome<std::vector<std::size_t>> in_rooms =
+      misoriented_components(mesh, topology, front.orientation, LightOf::rooms);
+  Outcome<std::vector<std::size_t>> in_the_open =
+      misoriented_components(mesh, topology, front.orientation, LightOf::the_open);
+  if (!in_rooms || !in_the_open) {
+    front.undecided = in_rooms ? in_the_open.reason() : in_rooms.reason();
+  } else if (in_rooms->empty() || in_the_open->empty()) {
+    front.encloses = in_rooms->empty();
+  } else {
+    front.misoriented = front.encloses ? std::move(*in_rooms) : std::move(*in_the_open);
+  }
+}
+
 MeshFront closed_front(const TriangleMesh& mesh, const MeshTopology& topology, bool crosses, FrontRule rule) {
   MeshFront front;
   const int volume = volume_sign(mesh);
@@ -47,10 +62,16 @@ MeshFront closed_front(const TriangleMesh& mesh, const MeshTopology& topology, b
       front.undecided =
           "has bodies whose volumes cancel, so that its inside is not known" + outside_and_inside;
     if (crosses || volume == 0) return front;
-    front.misoriented = misoriented_components(mesh, topology, of_room, LightOf::rooms);
-    const std::size_t beside = outermost_components(mesh, topology);
-    if (front.misoriented.empty() && of_room == left_hand && beside > 1)
-      front.undecided = "has " + std::to_string(beside) +
+    Outcome<std::vector<std::size_t>> in_rooms =
+        misoriented_components(mesh, topology, of_room, LightOf::rooms);
+    const Outcome<std::size_t> beside = outermost_components(mesh, topology);
+    if (!in_rooms || !beside) {
+      front.undecided = in_rooms ? beside.reason() : in_rooms.reason();
+      return front;
+    }
+    front.misoriented = std::move(*in_rooms);
+    if (front.misoriented.empty() && of_room == left_hand && *beside > 1)
+      front.undecided = "has " + std::to_string(*beside) +
                         " closed bodies beside each other, counterclockwise as seen from outside: with front "
                         "right-hand they stand in the open, and light leaves; with front left-hand each is a "
                         "room of its own";
@@ -59,16 +80,7 @@ MeshFront closed_front(const TriangleMesh& mesh, const MeshTopology& topology, b
   front.orientation = rule == FrontRule::right_hand ? right_hand : left_hand;
   front.known_by = InnerSide::by_choice;
   front.encloses = front.orientation == of_room;
-  if (crosses) return front;
-  std::vector<std::size_t> in_rooms =
-      misoriented_components(mesh, topology, front.orientation, LightOf::rooms);
-  std::vector<std::size_t> in_the_open =
-      misoriented_components(mesh, topology, front.orientation, LightOf::the_open);
-  if (in_rooms.empty() || in_the_open.empty()) {
-    front.encloses = in_rooms.empty();
-    return front;
-  }
-  front.misoriented = front.encloses ? std::move(in_rooms) : std::move(in_the_open);
+  if (!crosses) settle_by_winding(front, mesh, topology);
   return front;
 }
 

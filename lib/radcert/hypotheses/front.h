@@ -54,8 +54,7 @@ struct MeshFront {
 ///           right-hand rule has the light inside
 /// Source    ours
 /// Requires  the topology and the defects of this mesh
-/// Result    vertices with equal coordinates count as one; exact, but for the winding numbers of
-///           misoriented_components, of which only the nearest whole number counts
+/// Result    vertices with equal coordinates count as one; exact
 [[nodiscard]] MeshFront mesh_front(const TriangleMesh& mesh, const MeshTopology& topology,
                                    const MeshDefects& defects, FrontRule rule);
 
