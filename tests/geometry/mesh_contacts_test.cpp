@@ -169,9 +169,8 @@ TEST(MeshContacts, RefuseBodiesThatLightWouldPassThrough) {
   EXPECT_EQ(uncovered(alone)->contacts.size(), 2U);
 }
 
-TEST(MeshContacts, TakeWhatStandsBetweenWallsOfARoomThatGoesOnBehindThem) {
-  // A room with the plan of a plus, and a chest across one of its arms: the others lie beyond both of the
-  // walls that it touches. All is inside of the room, and what is covered lies within what is solid.
+/// A room with the plan of a plus, two units high.
+TriangleMesh plus_shaped_room() {
   const std::vector<std::pair<double, double>> plan{{1, 0}, {3, 0}, {3, 1}, {4, 1}, {4, 3}, {3, 3},
                                                     {3, 4}, {1, 4}, {1, 3}, {0, 3}, {0, 1}, {1, 1}};
   const sample::Polyhedron room = sample::column(plan, 2);
@@ -195,6 +194,13 @@ TEST(MeshContacts, TakeWhatStandsBetweenWallsOfARoomThatGoesOnBehindThem) {
       mesh.face.push_back(mesh.triangles.size() - 1);
     }
   }
+  return mesh;
+}
+
+TEST(MeshContacts, TakeWhatStandsBetweenWallsOfARoomThatGoesOnBehindThem) {
+  // A chest across one of the arms of a plus: the others lie beyond both of the walls that it touches. All is
+  // inside of the room, and what is covered lies within what is solid.
+  TriangleMesh mesh = plus_shaped_room();
   add_box(mesh, "chest", {1, 0.25, 0}, {3, 0.75, 1});
   add_box(mesh, "other", {0.25, 1.25, 0.5}, {0.5, 1.5, 1});
   const Outcome<UncoveredMesh> found = uncovered(mesh);
@@ -204,10 +210,132 @@ TEST(MeshContacts, TakeWhatStandsBetweenWallsOfARoomThatGoesOnBehindThem) {
   EXPECT_NEAR(covered, 2 * 0.5 + 2 * 0.5 * 1, 1e-12);
   EXPECT_NEAR(volume(found->mesh), volume(mesh), 1e-12);
   expect_sound(found->mesh);
-  // With something outside the room light could pass there.
+  // With something outside the room light could pass there, and as well with a plate that goes on behind a wall.
   TriangleMesh outside = mesh;
   add_box(outside, "outside", {5, 5, 0}, {6, 6, 1});
   EXPECT_FALSE(uncovered(outside));
+  TriangleMesh plate = mesh;
+  const std::size_t first = plate.vertices.size();
+  plate.vertices.insert(plate.vertices.end(),
+                        {{1, 0.8125, 0.5}, {1, 0.875, 0.5}, {1.5, 0.8125, 0.5}, {0.5, 0.8125, 0.5}});
+  plate.group_names.emplace_back("plate");
+  for (const VertexTriple& t :
+       {VertexTriple{first, first + 2, first + 1}, VertexTriple{first, first + 1, first + 3}}) {
+    plate.triangles.push_back(t);
+    plate.group.push_back(plate.group_names.size() - 1);
+    plate.face.push_back(plate.triangles.size() - 1);
+  }
+  EXPECT_FALSE(uncovered(plate));
+}
+
+/// Adds a triangle with its corners in this order as a group.
+void add_triangle(TriangleMesh& mesh, const std::string& name, const std::array<Vector<double>, 3>& corners) {
+  const std::size_t first = mesh.vertices.size();
+  mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
+  mesh.group_names.push_back(name);
+  mesh.triangles.push_back({first, first + 1, first + 2});
+  mesh.group.push_back(mesh.group_names.size() - 1);
+  mesh.face.push_back(mesh.triangles.size() - 1);
+}
+
+TEST(MeshContacts, RefuseBodiesThatLightWouldReachFromOutsideOfARoom) {
+  // Chests against two walls of a plus, each with its other end at an open face: from behind the one, through both
+  // walls and what is outside, light would come to what is behind the other.
+  TriangleMesh mesh = plus_shaped_room();
+  add_box(mesh, "chest", {1, 0.25, 0}, {1.25, 0.75, 1});
+  add_box(mesh, "other", {0.25, 1, 0}, {0.75, 1.25, 1});
+  EXPECT_TRUE(uncovered(mesh));
+  add_triangle(mesh, "leaf", {{{1.25, 0.25, 0.25}, {1.25, 0.375, 0.75}, {1.25, 0.75, 0.25}}});
+  EXPECT_FALSE(uncovered(mesh));
+}
+
+void expect_refused_for_contents(const TriangleMesh& mesh) {
+  const Outcome<UncoveredMesh> found = uncovered(mesh);
+  ASSERT_FALSE(found);
+  EXPECT_NE(found.reason().find("something inside"), std::string::npos) << found.reason();
+}
+
+TEST(MeshContacts, RefuseContentsOfEachBodyOfAChain) {
+  TriangleMesh floor;
+  add_sheet(floor, "floor", -2, 2, 0, true);
+  add_sheet(floor, "lamp", 0.25, 0.75, -1, true);
+  add_box(floor, "lower", {0, 0, 0}, {1, 1, 1});
+  TriangleMesh above = floor;
+  add_box(above, "upper", {0.25, 0.25, 1}, {0.75, 0.75, 1.5});
+  EXPECT_TRUE(uncovered(above));
+  add_box(above, "hidden", {0.375, 0.375, 1.125}, {0.625, 0.625, 1.25});
+  expect_refused_for_contents(above);
+  TriangleMesh beside = floor;
+  add_box(beside, "other", {1, 0, 0}, {2, 1, 1});
+  EXPECT_TRUE(uncovered(beside));
+  add_box(beside, "hidden", {1.25, 0.25, 0.25}, {1.5, 0.5, 0.5});
+  expect_refused_for_contents(beside);
+}
+
+TEST(MeshContacts, RefuseContentsOfBodiesThatTouchEachOther) {
+  // In the open nothing else is opened, and what is in the one would see what is in the other.
+  TriangleMesh mesh;
+  add_box(mesh, "one", {0, 0, 0}, {1, 1, 1});
+  add_box(mesh, "other", {1, 0, 0}, {2, 1, 1});
+  EXPECT_TRUE(uncovered(mesh));
+  add_box(mesh, "in one", {0.25, 0.25, 0.25}, {0.5, 0.5, 0.5});
+  expect_refused_for_contents(mesh);
+  add_box(mesh, "in other", {1.25, 0.25, 0.25}, {1.5, 0.5, 0.5});
+  expect_refused_for_contents(mesh);
+  // In chests against two walls of a room, from one through what is outside into the other.
+  TriangleMesh room = plus_shaped_room();
+  add_box(room, "chest", {1, 0.25, 0}, {1.5, 0.75, 1});
+  add_box(room, "other", {0.25, 1, 0}, {0.75, 1.5, 1});
+  EXPECT_TRUE(uncovered(room));
+  add_box(room, "in chest", {1.125, 0.375, 0.25}, {1.25, 0.5, 0.5});
+  add_box(room, "in other", {0.375, 1.125, 0.25}, {0.5, 1.25, 0.5});
+  expect_refused_for_contents(room);
+}
+
+TEST(MeshContacts, RefuseContentsThatAreInsideInPart) {
+  // A triangle through the part of a floor that a box covers: its middle is below, and with the faces taken out
+  // it would cross nothing.
+  TriangleMesh mesh;
+  add_sheet(mesh, "floor", -2, 2, 0, true);
+  add_box(mesh, "box", {-1, -1, 0}, {1, 1, 1});
+  TriangleMesh below = mesh;
+  add_triangle(below, "leaf", {{{-0.25, 0.125, -2}, {0.25, 0.125, -2}, {0, 0.125, -1}}});
+  EXPECT_TRUE(uncovered(below));
+  add_triangle(mesh, "leaf", {{{-0.25, 0.125, -2}, {0.25, 0.125, -2}, {0, 0.125, 0.25}}});
+  expect_refused_for_contents(mesh);
+}
+
+TEST(MeshContacts, FindContentsFromWhichRaysMeetVertices) {
+  // Three walls of the box have a vertex where fixed directions from the middle of the content meet them.
+  TriangleMesh mesh;
+  add_sheet(mesh, "floor", -2, 2, 0, true);
+  add_sheet(mesh, "lamp", 0.25, 0.75, -1, true);
+  const sample::Polyhedron box = sample::cube();
+  const std::size_t first = mesh.vertices.size();
+  mesh.vertices.insert(mesh.vertices.end(), box.vertices.begin(), box.vertices.end());
+  mesh.group_names.emplace_back("box");
+  const std::map<std::size_t, Vector<double>> apex{{1, {0.5 - 11.0 / 1024, 0.5 + 13.0 / 512, 1}},
+                                                   {2, {0.5 + 7.0 / 512, 0, 0.5 + 9.0 / 1024}},
+                                                   {3, {1, 0.5 + 3.0 / 256, 0.5 + 5.0 / 512}}};
+  for (std::size_t f = 0; f < box.faces.size(); ++f) {
+    const std::vector<std::size_t>& face = box.faces[f];
+    const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+      mesh.triangles.push_back({a, b, c});
+      mesh.group.push_back(mesh.group_names.size() - 1);
+      mesh.face.push_back(f);
+    };
+    if (apex.contains(f)) {
+      mesh.vertices.push_back(apex.at(f));
+      for (std::size_t k = 0; k < 4; ++k)
+        add(first + face[k], first + face[(k + 1) % 4], mesh.vertices.size() - 1);
+    } else {
+      add(first + face[0], first + face[1], first + face[2]);
+      add(first + face[0], first + face[2], first + face[3]);
+    }
+  }
+  EXPECT_TRUE(uncovered(mesh));
+  add_triangle(mesh, "content", {{{0.375, 0.375, 0.5}, {0.375, 0.625, 0.5}, {0.75, 0.5, 0.5}}});
+  expect_refused_for_contents(mesh);
 }
 
 TEST(MeshContacts, DoNotDependOnHowVerticesAreShared) {
@@ -294,16 +422,6 @@ TEST(MeshContacts, LeavePlatesAndMeshesWithoutContactsAsTheyAre) {
   add_box(mesh, "room", {0, 0, 0}, {4, 3, 2.5}, true);
   add_box(mesh, "cupboard", {1, 1, 0}, {1.75, 1.5, 2});
   EXPECT_FALSE(uncovered(mesh)->contacts.empty());
-}
-
-/// Adds a triangle with its corners in this order as a group.
-void add_triangle(TriangleMesh& mesh, const std::string& name, const std::array<Vector<double>, 3>& corners) {
-  const std::size_t first = mesh.vertices.size();
-  mesh.vertices.insert(mesh.vertices.end(), corners.begin(), corners.end());
-  mesh.group_names.push_back(name);
-  mesh.triangles.push_back({first, first + 1, first + 2});
-  mesh.group.push_back(mesh.group_names.size() - 1);
-  mesh.face.push_back(mesh.triangles.size() - 1);
 }
 
 TEST(MeshContacts, CutFacesAlongTheSidesThatStandOnThem) {

@@ -8,18 +8,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "radcert/geometry/box_tree.h"
 #include "radcert/geometry/contacts/joined_sides.h"
 #include "radcert/geometry/contacts/mesh_bodies.h"
 #include "radcert/geometry/contacts/place.h"
 #include "radcert/geometry/mesh_defects.h"
 #include "radcert/geometry/orientation.h"
 #include "radcert/geometry/plane_classes.h"
+#include "radcert/geometry/winding/ray_crossings.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/scalar/rational.h"
 
@@ -47,22 +48,39 @@ public:
     const Place x{v.x, v.y, v.z};
     return {Number(x[(axis_ + 1) % 3]), Number(x[(axis_ + 2) % 3])};
   }
-  /// The point of the plane over a point of the projection, rounded, and whether that is the point itself.
-  struct Rounded {
-    Vector<double> at;
-    bool is_exact;
-  };
-  [[nodiscard]] Rounded point(const Point& at) const {
+  [[nodiscard]] Point flat(const Vector<Rational>& v) const {
+    const std::array<const Rational*, 3> x{&v.x, &v.y, &v.z};
+    return {number(*x[(axis_ + 1) % 3]), number(*x[(axis_ + 2) % 3])};
+  }
+  /// The point of the plane over a point of the projection.
+  [[nodiscard]] Vector<Rational> over(const Point& at) const {
     const std::array<Rational, 3> n{normal_.x, normal_.y, normal_.z};
     std::array<Rational, 3> x;
     x[(axis_ + 1) % 3] = rational(at.x());
     x[(axis_ + 2) % 3] = rational(at.y());
     x[axis_] = (offset_ - n[(axis_ + 1) % 3] * x[(axis_ + 1) % 3] - n[(axis_ + 2) % 3] * x[(axis_ + 2) % 3]) /
                n[axis_];
-    Rounded out{{x[0].to_double(), x[1].to_double(), x[2].to_double()}, true};
-    for (std::size_t k = 0; k < 3; ++k)
-      out.is_exact = out.is_exact && Rational::exactly(place_of(out.at)[k]) == x[k];
-    return out;
+    return {x[0], x[1], x[2]};
+  }
+  /// The point of the plane over a point of the projection, rounded, and whether that is the point itself.
+  struct Rounded {
+    Vector<double> at;
+    bool is_exact;
+  };
+  [[nodiscard]] Rounded point(const Point& at) const {
+    const Vector<Rational> exact = over(at);
+    const Vector<double> rounded{exact.x.to_double(), exact.y.to_double(), exact.z.to_double()};
+    return {rounded, exactly(rounded) == exact};
+  }
+  /// Where a segment with its ends on both sides passes through the plane.
+  [[nodiscard]] Vector<Rational> between(const Vector<double>& from, const Vector<double>& to) const {
+    const Vector<Rational> a = exactly(from);
+    const Vector<Rational> way = exactly(to) - a;
+    return a + ((offset_ - dot(normal_, a)) / dot(normal_, way)) * way;
+  }
+  /// On which side of the plane a point lies: 1 on that of the normal, 0 on it.
+  [[nodiscard]] int side(const Vector<double>& v) const {
+    return (dot(normal_, exactly(v)) - offset_).sign();
   }
   /// Whether a triangle that runs counterclockwise in the projection does so about the normal.
   [[nodiscard]] bool keeps_order() const {
@@ -77,6 +95,7 @@ public:
 
 private:
   static Rational rational(const Number& x) { return Rational::from_gmp(x.mpq()); }
+  static Number number(const Rational& x) { return Number(static_cast<mpq_srcptr>(x.gmp())); }
 
   Vector<Rational> normal_;
   Rational offset_;
@@ -92,55 +111,6 @@ struct Overlap {
   bool is_contact = true;
 };
 
-/// Whether a ray may meet a triangle, by a box that is a little too large.
-bool may_meet(const std::array<Vector<double>, 3>& corners, const Place& from, const Place& way) {
-  double first = 0;
-  double last = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::array<double, 3> x{place_of(corners[0])[k], place_of(corners[1])[k], place_of(corners[2])[k]};
-    const auto [low, high] = std::minmax({x[0], x[1], x[2]});
-    const double slack = 1e-9 * std::max({std::abs(low), std::abs(high), std::abs(from[k])});
-    const double a = (low - slack - from[k]) / way[k];
-    const double b = (high + slack - from[k]) / way[k];
-    first = std::max(first, std::min(a, b));
-    last = std::min(last, std::max(a, b));
-  }
-  return first <= last * (1 + 1e-9) + 1e-300;
-}
-
-/// How often a ray from a point crosses triangles, if it meets no side of one.
-std::optional<std::size_t> crossings(const TriangleMesh& mesh, const std::vector<std::size_t>& triangles,
-                                     const Vector<Rational>& from, const Vector<Rational>& way) {
-  std::size_t count = 0;
-  const Place start{from.x.to_double(), from.y.to_double(), from.z.to_double()};
-  const Place direction{way.x.to_double(), way.y.to_double(), way.z.to_double()};
-  for (const std::size_t t : triangles) {
-    const auto c = mesh.corners(t);
-    if (!may_meet(c, start, direction)) continue;
-    const std::array<Vector<Rational>, 3> to{exactly(c[0]) - from, exactly(c[1]) - from,
-                                             exactly(c[2]) - from};
-    std::array<int, 3> sides{};
-    for (std::size_t k = 0; k < 3; ++k) sides[k] = dot(way, cross(to[k], to[(k + 1) % 3])).sign();
-    const auto [least, most] = std::minmax({sides[0], sides[1], sides[2]});
-    if (least < 0 && most > 0) continue;
-    if (sides[0] == 0 || sides[1] == 0 || sides[2] == 0) return std::nullopt;
-    const int height = dot(to[0], cross(to[1], to[2])).sign();
-    if (height == 0) return std::nullopt;
-    if (height == sides[0]) ++count;
-  }
-  return count;
-}
-
-/// Whether a closed component holds a point; false where no ray tells.
-bool holds(const TriangleMesh& mesh, const std::vector<std::size_t>& triangles,
-           const Vector<Rational>& point) {
-  for (const Vector<Rational>& way : {Vector<Rational>{1, Rational(3, 128), Rational(5, 256)},
-                                      {Rational(7, 256), -1, Rational(9, 512)},
-                                      {Rational(-11, 512), Rational(13, 256), 1}})
-    if (const auto count = crossings(mesh, triangles, point, way)) return *count % 2 == 1;
-  return false;
-}
-
 class Uncovering {
 public:
   Uncovering(const TriangleMesh& mesh, bool right_hand) : given_(mesh), mesh_(mesh), right_hand_(right_hand) {
@@ -155,6 +125,11 @@ public:
     const auto pairs = crossing_triangles(mesh_, most_pairs);
     if (pairs.empty() || pairs.size() == most_pairs) return std::move(out_);
     find_bodies();
+    meeting_.resize(mesh_.triangles.size());
+    for (const auto& [s, t] : pairs) {
+      meeting_[s].push_back(t);
+      meeting_[t].push_back(s);
+    }
     std::vector<bool> replaced(mesh_.triangles.size(), false);
     bool any = false;
     std::map<Classes, Overlap> all = overlaps(pairs);
@@ -227,28 +202,92 @@ private:
     return false;
   }
 
-  /// Whether a component is a room with all others inside; a triangle of each tells, since none crosses it.
+  /// Whether a component is a room with all others inside, but for what lies on its walls.
   bool is_room_of_all(std::size_t by, std::size_t component) {
     const MeshBodies& bodies = bodies_[by];
     if (!bodies.is_room[component]) return false;
     const auto [known, is_new] = rooms_.emplace(std::pair(by, component), false);
     if (!is_new) return known->second;
-    std::vector<std::size_t> own;
-    std::map<std::size_t, std::vector<std::size_t>> others;
+    const RayCrossings walls(mesh_, triangles_of(bodies, component));
+    std::set<std::size_t> inside;
+    std::set<std::size_t> others;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (bodies.component[t] == component)
-        own.push_back(t);
-      else
-        others[bodies.component[t]].push_back(t);
+      if (bodies.component[t] == component) continue;
+      const Sides sides = sides_of(t, bodies, component, walls);
+      if (sides.outside) return false;
+      others.insert(bodies.component[t]);
+      if (sides.inside) inside.insert(bodies.component[t]);
     }
-    known->second = std::all_of(others.begin(), others.end(), [&](const auto& other) {
-      // The first may lie on the room's wall, and tells nothing then.
-      return std::any_of(other.second.begin(), other.second.end(), [&](std::size_t t) {
-        const auto c = mesh_.corners(t);
-        return holds(mesh_, own, Rational(1, 3) * (exactly(c[0]) + exactly(c[1]) + exactly(c[2])));
-      });
-    });
+    known->second = inside.size() == others.size();
     return known->second;
+  }
+
+  static std::vector<std::size_t> triangles_of(const MeshBodies& bodies, std::size_t component) {
+    std::vector<std::size_t> own;
+    for (std::size_t t = 0; t < bodies.component.size(); ++t)
+      if (bodies.component[t] == component) own.push_back(t);
+    return own;
+  }
+
+  /// Where a triangle has points off a closed component.
+  struct Sides {
+    bool inside = false;
+    bool outside = false;
+  };
+
+  /// On which sides of a closed component a triangle of another has points.
+  /// Maths     the segments in which the component's triangles meet this one cut it into parts; each lies on
+  ///           the component, or does not meet it inside, so that one point tells
+  Sides sides_of(std::size_t t, const MeshBodies& bodies, std::size_t component,
+                 const RayCrossings& rays) const {
+    Sides sides;
+    const auto look = [&](const Vector<Rational>& point) {
+      if (const auto crossings = rays.from(point))
+        (winding_number(*crossings) != 0 ? sides.inside : sides.outside) = true;
+    };
+    const std::array<Vector<double>, 3> own = mesh_.corners(t);
+    std::vector<std::size_t> cutting;
+    for (const std::size_t s : meeting_[t])
+      if (bodies.component[s] == component) cutting.push_back(s);
+    if (cutting.empty()) {
+      look(point_inside(own));
+      return sides;
+    }
+    const Plane plane(own);
+    Delaunay delaunay;
+    const auto cut = [&](const Point& from, const Point& to) {
+      if (from != to) delaunay.insert_constraint(from, to);
+    };
+    const std::array<Point, 3> corners{plane.flat(own[0]), plane.flat(own[1]), plane.flat(own[2])};
+    for (std::size_t k = 0; k < 3; ++k) cut(corners[k], corners[(k + 1) % 3]);
+    for (const std::size_t s : cutting) {
+      const std::vector<Point> section = section_of(s, plane);
+      for (std::size_t k = 1; k < section.size(); ++k) cut(section[k - 1], section[k]);
+    }
+    const auto turn = CGAL::orientation(corners[0], corners[1], corners[2]);
+    for (const auto& face : delaunay.finite_face_handles()) {
+      const Point middle =
+          CGAL::centroid(face->vertex(0)->point(), face->vertex(1)->point(), face->vertex(2)->point());
+      bool is_in_it = true;
+      for (std::size_t k = 0; k < 3 && is_in_it; ++k)
+        is_in_it = CGAL::orientation(corners[k], corners[(k + 1) % 3], middle) == turn;
+      if (is_in_it) look(plane.over(middle));
+    }
+    return sides;
+  }
+
+  /// Where a triangle meets a plane: the ends of a segment, or its outline where it lies in the plane.
+  std::vector<Point> section_of(std::size_t s, const Plane& plane) const {
+    const std::array<Vector<double>, 3> c = mesh_.corners(s);
+    const std::array<int, 3> side{plane.side(c[0]), plane.side(c[1]), plane.side(c[2])};
+    std::vector<Point> out;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3;
+      if (side[k] == 0) out.push_back(plane.flat(c[k]));
+      if (side[k] * side[next] < 0) out.push_back(plane.flat(plane.between(c[k], c[next])));
+    }
+    if (out.size() == 3) out.push_back(out.front());
+    return out;
   }
 
   /// Whether anything lies beyond a triangle's plane, on the side that its front looks at.
@@ -264,21 +303,31 @@ private:
     });
   }
 
-  /// Whether something is inside a body that a triangle belongs to.
-  bool has_contents(std::size_t triangle) const {
-    return std::any_of(bodies_.begin(), bodies_.end(), [&](const MeshBodies& bodies) {
-      const std::size_t component = bodies.component[triangle];
-      if (!bodies.is_body[component]) return false;
-      std::vector<std::size_t> own;
-      for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-        if (bodies.component[t] == component) own.push_back(t);
+  /// Whether something that is not of a body has points inside.
+  bool has_contents(const MeshBodies& bodies, std::size_t component, const BoxTree& boxes) const {
+    const RayCrossings body(mesh_, triangles_of(bodies, component));
+    return !boxes.visit([&](const BoundingBox& box) { return !apart(box, body.box()); },
+                        [&](std::size_t t) {
+                          return bodies.component[t] == component ||
+                                 !sides_of(t, bodies, component, body).inside;
+                        });
+  }
+
+  /// A triangle of a body that belongs to one of these sets and has something inside, if there is one.
+  template <class IsIn>
+  std::optional<std::size_t> body_with_contents(const IsIn& is_in) const {
+    const BoxTree boxes(triangle_boxes(mesh_));
+    std::set<std::vector<std::size_t>> known;
+    for (const MeshBodies& bodies : bodies_) {
+      std::set<std::size_t> components;
       for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-        if (bodies.component[t] == component) continue;
-        const auto c = mesh_.corners(t);
-        if (holds(mesh_, own, Rational(1, 3) * (exactly(c[0]) + exactly(c[1]) + exactly(c[2])))) return true;
+        const std::size_t component = bodies.component[t];
+        if (!bodies.is_body[component] || !is_in(t) || !components.insert(component).second) continue;
+        if (known.insert(triangles_of(bodies, component)).second && has_contents(bodies, component, boxes))
+          return t;
       }
-      return false;
-    });
+    }
+    return std::nullopt;
   }
 
   using Classes = std::pair<std::size_t, std::size_t>;
@@ -308,11 +357,15 @@ private:
       return std::any_of(bodies_.begin(), bodies_.end(),
                          [t](const MeshBodies& bodies) { return bodies.is_body[bodies.component[t]]; });
     };
-    std::vector<std::pair<std::size_t, Classes>> opened;  // a triangle of a body, and the plane
+    std::vector<std::pair<std::size_t, Classes>> opened;    // a triangle of a body, and the plane
+    std::vector<std::pair<std::size_t, Classes>> on_walls;  // the same, of rooms that hold all else
+    std::vector<std::size_t> touching;                      // triangles of bodies
     for (const auto& [classes, overlap] : all) {
       if (!overlap.is_contact) continue;
       std::array<std::optional<bool>, 2> is_before{};  // one face of each side looks out for all
       for (const auto& [s, t] : overlap.pairs) {
+        for (const std::size_t own : {s, t})
+          if (is_of_a_body(own)) touching.push_back(own);
         if (are_of_bodies(s, t)) {
           parent[root(s)] = root(t);
           continue;
@@ -321,7 +374,7 @@ private:
           if (!is_of_a_body(own)) continue;
           std::optional<bool>& before = is_before.at(overlap.one.contains(own) ? 0 : 1);
           if (!before) before = is_anything_before(own);
-          if (*before && !are_of_body_and_room(s, t)) opened.emplace_back(own, classes);
+          if (*before) (are_of_body_and_room(s, t) ? on_walls : opened).emplace_back(own, classes);
         }
       }
     }
@@ -330,17 +383,20 @@ private:
       return "has a body" + (name.empty() ? std::string() : ", " + name + ",");
     };
     std::map<std::size_t, Classes> plane_of;
-    for (const auto& [triangle, classes] : opened) {
-      const auto [known, is_new] = plane_of.emplace(root(triangle), classes);
-      if (!is_new && known->second != classes)
-        return name_of(triangle) +
-               " that touches open faces in two planes: with what they cover taken out, light "
-               "would pass through it from one to the other; close these faces, or move them off";
-      if (is_new && has_contents(triangle))
-        return name_of(triangle) +
-               " that touches an open face and has something inside, which would be seen through "
-               "what they cover; close the face, or move it off";
-    }
+    for (const auto& [triangle, classes] : opened) plane_of.emplace(root(triangle), classes);
+    for (const auto* faces : {&opened, &on_walls})
+      for (const auto& [triangle, classes] : *faces)
+        if (const auto known = plane_of.find(root(triangle));
+            known != plane_of.end() && known->second != classes)
+          return name_of(triangle) +
+                 " that touches open faces in two planes: with what they cover taken out, light "
+                 "would pass through it from one to the other; close these faces, or move them off";
+    std::set<std::size_t> roots;
+    for (const std::size_t t : touching) roots.insert(root(t));
+    if (const auto found = body_with_contents([&](std::size_t t) { return roots.contains(root(t)); }))
+      return name_of(*found) +
+             " that touches others, or open faces, and has something inside, which would be seen through "
+             "what they cover; move it off, or leave out what is inside";
     return {};
   }
 
@@ -568,6 +624,7 @@ private:
   TriangleMesh mesh_;  ///< with one number for vertices of equal coordinates
   bool right_hand_;
   std::vector<MeshBodies> bodies_;
+  std::vector<std::vector<std::size_t>> meeting_;  ///< what each triangle meets in more than a side or vertex
   std::map<std::pair<std::size_t, std::size_t>, bool> rooms_;  ///< is_room_of_all
   std::map<Place, std::size_t> vertex_;                        ///< the first with these coordinates
   UncoveredMesh out_;
