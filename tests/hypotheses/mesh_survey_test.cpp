@@ -192,6 +192,21 @@ TEST(MeshSurvey, KnowsTheInnerSideOfWhatNearlyTouchesAnEdge) {
   }
 }
 
+TEST(MeshSurvey, KnowsTheInnerSideOfWhatTouchesARoomAlongAnEdge) {
+  const sample::Polyhedron room = reversed(sample::cube());
+  const sample::Polyhedron inner =
+      tetrahedron_of({{{0, 0, 0}, {0, 0, 1}, {0.5, 0.25, 0.5}, {0.25, 0.5, 0.5}}});
+  for (const FrontRule rule : {FrontRule::automatic, FrontRule::right_hand}) {
+    const auto survey = [&](bool turned) {
+      return survey_of(sample::together(room, inner, turned), {.vertices = true}, rule);
+    };
+    EXPECT_EQ(survey(false).topology.crowded_edges.size(), 1U);
+    EXPECT_TRUE(survey(false).front.misoriented.empty());
+    EXPECT_TRUE(survey(false).front.encloses);
+    EXPECT_EQ(survey(true).front.misoriented, (std::vector<std::size_t>{12}));
+  }
+}
+
 TEST(MisorientedComponents, RefusesWhatItCannotDecide) {
   // The second has its corners at those points of the first's faces from which rays begin.
   const TriangleMesh mesh =

@@ -103,6 +103,10 @@ MeshFront mesh_front(const TriangleMesh& mesh, const MeshTopology& topology, con
   const bool bounds = balanced(topology);
   const bool faces_in = bounds && volume_sign(mesh) * (front.orientation == right_hand ? -1 : 1) > 0;
   front.encloses = faces_in;
+  if (bounds && defects.crossing.empty() && (faces_in || rule != FrontRule::automatic)) {
+    settle_by_winding(front, mesh, topology);
+    return front;
+  }
   if (rule == FrontRule::automatic && !faces_in && !topology.crowded_edges.empty())
     front.undecided = "has no open edge, but edges of more than two triangles" +
                       (bounds ? outside_and_inside

@@ -51,7 +51,7 @@ struct MeshFront {
 ///           whose triangles run counterclockwise as seen from outside: rooms of their own, or what stands in
 ///           the open; bodies whose volumes cancel; and meshes without an open edge, but with edges of more
 ///           than two triangles, unless each edge has as many triangles one way as the other and the
-///           right-hand rule has the light inside
+///           right-hand rule has the light inside, which misoriented_components tells as well
 /// Source    ours
 /// Requires  the topology and the defects of this mesh
 /// Result    vertices with equal coordinates count as one; exact
