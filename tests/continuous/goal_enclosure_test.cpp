@@ -293,6 +293,27 @@ TEST(GoalEnclosure, CountsTheProductOfBothNormsOverTheGap) {
   }
 }
 
+TEST(GoalEnclosure, CountsWhatPolynomialsLeaveOfAKernel) {
+  // Little is reflected: what polynomials leave of the kernel is of the size rho^(1/2), the residual of its dual of
+  // rho^(3/2).
+  PolyhedronProblem asked = problem("tetrahedron", Rational(1, 1000), 0);
+  asked.emission[0] = constant_polynomial(Rational(1));
+  const GoalEnclosure found = enclose_values(asked, {points_on(asked).back()}, 3e-5, {}, true);
+  const GoalProof& proof = *found.proof;
+  const double of_norms = proof.norms[0] * proof.norms[1] / 0.999;
+  EXPECT_GE(proof.radii[0], of_norms * (1 - 1e-12));
+  EXPECT_LE(proof.radii[0], 2 * of_norms);
+}
+
+TEST(GoalEnclosure, CountsTheRoundingOfAPointsEmission) {
+  PolyhedronProblem dark = problem("tetrahedron", 0, 0);
+  dark.emission[1] = constant_polynomial(Rational(1, 3));
+  const Approximation found = enclose_values(dark, {{1, dark.panels[1].centre}}, 1).numbers[0];
+  const Rational off = abs(Rational(1, 3) - Rational::exactly(found.value));
+  EXPECT_LE(off, Rational::exactly(found.radius));
+  EXPECT_LE(found.radius, 1e-15);
+}
+
 TEST(GoalEnclosure, HasPolynomialEmissions) {
   // u is linear in E.
   const auto with = [](const Rational& a, const Rational& b, int power) {
