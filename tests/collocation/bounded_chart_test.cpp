@@ -107,9 +107,9 @@ TEST(BoundedChart, CountsWhatADoubleIsTooCoarseFor) {
 }
 
 TEST(BoundedChart, CountsWhatItsCoefficientsAreOffBy) {
-  // x = -(1 + a - e) + (1 + b + e) s: e is hardly less than half a unit of 1, by which both coefficients are off
-  // when rounded, and the two terms nearly cancel, so that their sum adds hardly any bound. Of the products one is
-  // looked for whose rounding adds as much.
+  // x = -(1 + a - e) + (1 + b + e) s: e is hardly less than half a unit of 1, by which both coefficients
+  // are off when rounded, and the two terms nearly cancel, so that their sum adds hardly any bound. Of
+  // the products one is looked for whose rounding adds as much.
   const Rational e = Rational::exactly(0x1.fffffp-54);
   std::mt19937_64 random(17);
   const auto little = [&] { return std::ldexp(static_cast<double>(random() % 1024), -36); };

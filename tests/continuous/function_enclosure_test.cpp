@@ -174,8 +174,8 @@ TEST(FunctionEnclosure, IsRefusedWhereTwoVerticesAreAsNearAsDoubleCanTell) {
 }
 
 TEST(FunctionEnclosure, AddsTheResidualAndWhatIsReflectedOfIt) {
-  // u - v = R + K R + K K R + ... with R the residual: where that of every element is r or more, |u - v| may be R +
-  // r rho/(1 - rho).
+  // u - v = R + K R + K K R + ... with R the residual: where that of every element is r or more, |u - v|
+  // may be R + r rho/(1 - rho).
   const PolyhedronProblem asked = problem("tetrahedron", Rational(1, 4), Rational(3, 4));
   const FunctionEnclosure found = enclose_function(asked, 10000, 0.1, {}, true);
   const SectorScene scene(asked.panels);
@@ -210,8 +210,8 @@ TEST(FunctionEnclosure, AddsTheResidualAndWhatIsReflectedOfIt) {
 }
 
 TEST(FunctionEnclosure, CountsWhatItsValuesAreRoundedBy) {
-  // Nothing reflects, and v = E is a Chebyshev polynomial across a face: the P_i that its values are summed from are
-  // off by 8 (i+1)^2 units.
+  // Nothing reflects, and v = E is a Chebyshev polynomial across a face: the P_i that its values are
+  // summed from are off by 8 (i+1)^2 units.
   PolyhedronProblem dark = problem("tetrahedron", 0, 0);
   const PlanePolynomial<Rational> x = affine_polynomial<Rational>(Rational(-1), Rational(2), 0);
   PlanePolynomial<Rational> before = constant_polynomial(Rational(1));

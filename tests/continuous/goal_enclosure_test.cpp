@@ -294,8 +294,8 @@ TEST(GoalEnclosure, CountsTheProductOfBothNormsOverTheGap) {
 }
 
 TEST(GoalEnclosure, CountsWhatPolynomialsLeaveOfAKernel) {
-  // Little is reflected: what polynomials leave of the kernel is of the size rho^(1/2), the residual of its dual of
-  // rho^(3/2).
+  // Little is reflected: what polynomials leave of the kernel is of the size rho^(1/2), the residual of
+  // its dual of rho^(3/2).
   PolyhedronProblem asked = problem("tetrahedron", Rational(1, 1000), 0);
   asked.emission[0] = constant_polynomial(Rational(1));
   const GoalEnclosure found = enclose_values(asked, {points_on(asked).back()}, 3e-5, {}, true);

@@ -194,8 +194,8 @@ TEST(ResidualBounds, CountStrips) {
 }
 
 TEST(ResidualBounds, CountTheRoundingsOfTheSumOfElements) {
-  // w q is 1 on the first element, and on every other one so small that its integral is lost beside that of the
-  // first.
+  // w q is 1 on the first element, and on every other one so small that its integral is lost beside that
+  // of the first.
   double first = 0;
   const auto staircase = [&](const SectorScene& scene, const std::vector<SectorElement>& elements) {
     SectorFunctions w(elements.size(), 1, 0);
@@ -219,8 +219,8 @@ TEST(ResidualBounds, CountTheRoundingsOfTheSumOfElements) {
 }
 
 TEST(ResidualBounds, CountWhatPolynomialsAreRoundedBy) {
-  // w = P_12 along the side of each element, and q = 1: P_12 is off by up to 8 13^2 units where it is computed, and
-  // so is w q.
+  // w = P_12 along the side of each element, and q = 1: P_12 is off by up to 8 13^2 units where it is
+  // computed, and so is w q.
   constexpr int degree = 12;
   const auto legendre = [](const SectorScene&, const std::vector<SectorElement>& elements) {
     SectorFunctions w(elements.size(), 1, degree);

@@ -430,8 +430,8 @@ TEST(VerifiedLevel, RefusesWhatHasNoGuarantee) {
 }
 
 TEST(VerifiedLevel, RefusesRowsThatAreProvedNotToBeOneOnAClosedSurface) {
-  // A tetrahedron of which a face is missing, and which is said to be closed: from where it is missing nothing
-  // comes, so that rows are less than 1.
+  // A tetrahedron of which a face is missing, and which is said to be closed: from where it is missing
+  // nothing comes, so that rows are less than 1.
   std::mt19937_64 random(7);
   Tetrahedron t = random_tetrahedron(random);
   for (const bool has_solution : {false, true}) {

@@ -12,7 +12,8 @@ namespace radcert {
 /// At least |(x, y, z)|.
 [[nodiscard]] double upper_norm(double x, double y, double z);
 
-/// A part of a chart over the disk of one complex variable, split as DiskBound takes it, and over smaller disks.
+/// A part of a chart over the disk of one complex variable, and over smaller disks, split as DiskBound takes
+/// it.
 /// Maths     Q = sum c_ij z^i v^j + remainder, z complex with |z| < 1, v real with |v| < 1. About a real c
 ///           Q - c = r + e, r = sum of Re c_ij z^i v^j with i <= 1 and i + j > 0, e the others: Re c_00 - c,
 ///           all imaginary parts, powers of z from the second on, the remainder. On |z| <= s < 1 terms of z^i
