@@ -210,7 +210,7 @@ TEST(MeshContacts, TakeWhatStandsBetweenWallsOfARoomThatGoesOnBehindThem) {
   EXPECT_NEAR(covered, 2 * 0.5 + 2 * 0.5 * 1, 1e-12);
   EXPECT_NEAR(volume(found->mesh), volume(mesh), 1e-12);
   expect_sound(found->mesh);
-  // With something outside the room light could pass there, and as well with a plate that goes on behind a wall.
+  // With something outside the room light could pass there, and with a plate that goes on behind a wall.
   TriangleMesh outside = mesh;
   add_box(outside, "outside", {5, 5, 0}, {6, 6, 1});
   EXPECT_FALSE(uncovered(outside));
@@ -239,8 +239,8 @@ void add_triangle(TriangleMesh& mesh, const std::string& name, const std::array<
 }
 
 TEST(MeshContacts, RefuseBodiesThatLightWouldReachFromOutsideOfARoom) {
-  // Chests against two walls of a plus, each with its other end at an open face: from behind the one, through both
-  // walls and what is outside, light would come to what is behind the other.
+  // Chests against two walls of a plus, one with its other end at an open face: from behind that, through
+  // both walls and what is outside, light would come into the other.
   TriangleMesh mesh = plus_shaped_room();
   add_box(mesh, "chest", {1, 0.25, 0}, {1.25, 0.75, 1});
   add_box(mesh, "other", {0.25, 1, 0}, {0.75, 1.25, 1});
@@ -252,7 +252,7 @@ TEST(MeshContacts, RefuseBodiesThatLightWouldReachFromOutsideOfARoom) {
 void expect_refused_for_contents(const TriangleMesh& mesh) {
   const Outcome<UncoveredMesh> found = uncovered(mesh);
   ASSERT_FALSE(found);
-  EXPECT_NE(found.reason().find("something inside"), std::string::npos) << found.reason();
+  EXPECT_NE(found.reason().find(" inside, which would be seen"), std::string::npos) << found.reason();
 }
 
 TEST(MeshContacts, RefuseContentsOfEachBodyOfAChain) {
@@ -293,8 +293,8 @@ TEST(MeshContacts, RefuseContentsOfBodiesThatTouchEachOther) {
 }
 
 TEST(MeshContacts, RefuseContentsThatAreInsideInPart) {
-  // A triangle through the part of a floor that a box covers: its middle is below, and with the faces taken out
-  // it would cross nothing.
+  // A triangle through the part of a floor that a box covers: its middle is below, and with the faces taken
+  // out it would cross nothing.
   TriangleMesh mesh;
   add_sheet(mesh, "floor", -2, 2, 0, true);
   add_box(mesh, "box", {-1, -1, 0}, {1, 1, 1});

@@ -71,8 +71,8 @@ TEST(RayCrossings, TellPointsInsideFromThoseOnTheSurface) {
 }
 
 TEST(RayCrossings, TakeAnotherRayWhereOneMeetsASideOrAVertex) {
-  // From the origin the first directions are (1, s, s^2), s = 11/32, 19/32, ...: of tetrahedra in the way, some
-  // have a vertex there, some the middle of a side.
+  // From the origin the first directions are (1, s, s^2), s = 11/32, 19/32, ...: of tetrahedra in the way,
+  // some have a vertex there, some the middle of a side.
   TriangleMesh mesh;
   add_box(mesh, {-8, -8, -8}, {8, 8, 8});
   for (int k = 0; k < 6; ++k) {
@@ -133,7 +133,7 @@ TEST(RayCrossings, LeaveATriangleToTheSideThatIsAskedFor) {
     for (const int side : {-1, 1}) {
       const auto crossings = rays.from_side(t, side);
       ASSERT_TRUE(crossings);
-      // Between the boxes 1; outside of the large one and within the small one 0; on both sides of the plate 1.
+      // Between the boxes 1, on both sides of the plate too; outside of the large one and in the small one 0.
       EXPECT_EQ(winding_number(*crossings), t >= plate || side < 0 ? 1 : 0) << t << side;
     }
   // A triangle that another goes through where the ray begins.

@@ -35,7 +35,7 @@ bool balanced(const MeshTopology& topology) {
 const std::string outside_and_inside =
     ": with front right-hand its light is outside, and leaves; with front left-hand it is inside";
 
-/// Settles whether the light of a mesh without boundary, with its front known, is within or around the bodies.
+/// Settles whether the light of a mesh without boundary, its front known, is within or around the bodies.
 void settle_by_winding(MeshFront& front, const TriangleMesh& mesh, const MeshTopology& topology) {
   Outcome<std::vector<std::size_t>> in_rooms =
       misoriented_components(mesh, topology, front.orientation, LightOf::rooms);

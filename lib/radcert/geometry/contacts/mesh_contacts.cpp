@@ -303,19 +303,29 @@ private:
     });
   }
 
-  /// Whether something that is not of a body has points inside.
-  bool has_contents(const MeshBodies& bodies, std::size_t component, const BoxTree& boxes) const {
+  /// A triangle that is not of a body and has points inside, if there is one.
+  std::optional<std::size_t> content_of(const MeshBodies& bodies, std::size_t component,
+                                        const BoxTree& boxes) const {
     const RayCrossings body(mesh_, triangles_of(bodies, component));
-    return !boxes.visit([&](const BoundingBox& box) { return !apart(box, body.box()); },
-                        [&](std::size_t t) {
-                          return bodies.component[t] == component ||
-                                 !sides_of(t, bodies, component, body).inside;
-                        });
+    std::optional<std::size_t> found;
+    boxes.visit([&](const BoundingBox& box) { return !apart(box, body.box()); },
+                [&](std::size_t t) {
+                  if (bodies.component[t] != component && sides_of(t, bodies, component, body).inside)
+                    found = t;
+                  return !found;
+                });
+    return found;
   }
 
-  /// A triangle of a body that belongs to one of these sets and has something inside, if there is one.
+  struct FilledBody {
+    std::size_t triangle;
+    std::size_t content;  ///< a triangle inside
+    bool crosses;         ///< the content meets the body's faces
+  };
+
+  /// A body that belongs to one of these sets and has something inside, if there is one.
   template <class IsIn>
-  std::optional<std::size_t> body_with_contents(const IsIn& is_in) const {
+  std::optional<FilledBody> filled_body(const IsIn& is_in) const {
     const BoxTree boxes(triangle_boxes(mesh_));
     std::set<std::vector<std::size_t>> known;
     for (const MeshBodies& bodies : bodies_) {
@@ -323,8 +333,11 @@ private:
       for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
         const std::size_t component = bodies.component[t];
         if (!bodies.is_body[component] || !is_in(t) || !components.insert(component).second) continue;
-        if (known.insert(triangles_of(bodies, component)).second && has_contents(bodies, component, boxes))
-          return t;
+        if (!known.insert(triangles_of(bodies, component)).second) continue;
+        if (const auto content = content_of(bodies, component, boxes))
+          return FilledBody{t, *content,
+                            std::any_of(meeting_[*content].begin(), meeting_[*content].end(),
+                                        [&](std::size_t s) { return bodies.component[s] == component; })};
       }
     }
     return std::nullopt;
@@ -393,10 +406,16 @@ private:
                  "would pass through it from one to the other; close these faces, or move them off";
     std::set<std::size_t> roots;
     for (const std::size_t t : touching) roots.insert(root(t));
-    if (const auto found = body_with_contents([&](std::size_t t) { return roots.contains(root(t)); }))
-      return name_of(*found) +
-             " that touches others, or open faces, and has something inside, which would be seen through "
-             "what they cover; move it off, or leave out what is inside";
+    if (const auto found = filled_body([&](std::size_t t) { return roots.contains(root(t)); })) {
+      const std::string& content = mesh_.group_names[mesh_.group[found->content]];
+      return name_of(found->triangle) + " that touches others, or open faces, and has " +
+             (found->crosses ? "a part of " : "") + (content.empty() ? "something" : content) +
+             " inside, which would be seen through what they cover; move it off, or leave out what is "
+             "inside" +
+             (found->crosses
+                  ? "; where rounding has made them cross, have repair align turn the room to the axes"
+                  : "");
+    }
     return {};
   }
 

@@ -33,12 +33,13 @@ struct UncoveredMesh {
 ///           are, the front of the one looks into the body of the other, and the front of that one at the
 ///           back of the first, which hides from both sides. Proof that nothing passes there that did not:
 ///           a body that touches something holds nothing, all else having no point inside it. So no ray
-///           begins within bodies that touch, and none enters where they cover each other alone. What a body
-///           covers of an open face opens the body to what is behind that face; a ray that comes in must leave
-///           through another plane that is opened so. What it covers of a room that holds all else, but for
-///           what lies on its walls, opens it to the outside, where nothing is but other bodies that are
-///           opened so. Bodies with two planes of open faces, or one and walls in another, with something
-///           beyond, are refused. Two sides of a plate without thickness are no body, and stay
+///           begins within bodies that touch, and none enters where they cover each other alone. What a
+///           body covers of an open face opens the body to what is behind that face; a ray that comes in
+///           must leave through another plane that is opened so. What it covers of a room that holds all
+///           else, but for what lies on its walls, opens it to the outside, where nothing is but other
+///           bodies that are opened so. Bodies with two planes of open faces, or one and walls in another,
+///           with something beyond, are refused. Two sides of a plate without thickness are no body, and
+///           stay
 /// Source    ours; polygon differences by a constrained Delaunay triangulation of CGAL whose sides are cut
 ///           where they cross, exactly; what is inside of what by RayCrossings
 /// Requires  no degenerate triangle. right_hand: the front is the side from which the corners run
@@ -47,7 +48,8 @@ struct UncoveredMesh {
 ///           anew, each with group and face of one that held it, behind them, and joined_sides cuts those on
 ///           whose sides others end now; vertices with equal coordinates are one. A reason where light would
 ///           pass through a body or reach what is inside, or a difference has a corner that no doubles hold,
-///           for then no plane would hold it either; the mesh as it was where more than a million pairs of triangles meet
+///           for then no plane would hold it either; the mesh as it was where more than a million pairs of
+///           triangles meet
 /// Limits    overlapping triangles of one side, and bodies that cross, stay as they are
 [[nodiscard]] Outcome<UncoveredMesh> without_contacts(const TriangleMesh& mesh, bool right_hand);
 

@@ -40,8 +40,8 @@ public:
   /// What a ray from a point passes through; nothing where the point lies on a triangle.
   [[nodiscard]] std::optional<std::vector<RayCrossing>> from(const Vector<Rational>& point) const;
 
-  /// What a ray passes through that leaves a triangle at point_inside, on the side of its cross product (1) or
-  /// on the other (-1); triangles in its plane lie behind. Nothing where that point lies on a triangle of
+  /// What a ray passes through that leaves a triangle at point_inside, on the side of its cross product (1)
+  /// or on the other (-1); triangles in its plane lie behind. Nothing where that point lies on a triangle of
   /// another plane.
   [[nodiscard]] std::optional<std::vector<RayCrossing>> from_side(std::size_t triangle, int side) const;
 
