@@ -234,8 +234,7 @@ TEST(CertifiedVisibleEntries, OfAMeshWhoseChartsAreReversedAskForSymmetricFuncti
   const Surface reversed = mesh_surface(
       "mesh", mesh, components.of_piece, piece_names(mesh, components),
       {.orientation = Orientation::against_the_cross_product, .closed = true, .unoccluded = false});
-  const auto refused =
-      certified_mesh_entries(reversed, triangulate(reversed, 0), lopsided_functions());
+  const auto refused = certified_mesh_entries(reversed, triangulate(reversed, 0), lopsided_functions());
   ASSERT_FALSE(refused.has_value());
   EXPECT_NE(refused.reason().find("their functions"), std::string::npos);
 }
