@@ -36,8 +36,11 @@ std::vector<Item> items(std::span<const Vector<double>> points) {
 }  // namespace
 
 struct NeighbourTree::Tree {
-  // Built at once: the first query would build it otherwise, in one thread of several.
-  explicit Tree(const std::vector<Item>& all) : search(all.begin(), all.end()) { search.build(); }
+  // Built at once: the first query would build it otherwise, in one thread of several. CGAL builds none of no
+  // points.
+  explicit Tree(const std::vector<Item>& all) : search(all.begin(), all.end()) {
+    if (!all.empty()) search.build();
+  }
   Search::Tree search;
 };
 
