@@ -76,10 +76,11 @@ class Solve(ProgramTest):
         said = self.expect(0, "solve", self.write("room.json", problem), "--guarantee", "0.1")
         self.assertIn("Mended: room.obj: contact of room_bottom and box_bottom: an area of 1", said)
         self.assertIn("box_top            0.5", said)
-        for of in ("values", "function"):
-            done = self.run_program("solve", "room.json", "--guarantee", "0.1", "--of", of)
-            self.assertEqual(done.returncode, 2)
-            self.assertIn("where only means are enclosed", done.stderr.decode())
+        said = self.expect(0, "solve", "room.json", "--guarantee", "0.1", "--of", "values", "--at", "1.5,1.5,1")
+        self.assertIn("box_top", said)
+        done = self.run_program("solve", "room.json", "--guarantee", "0.1", "--of", "function")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("where means and values are enclosed", done.stderr.decode())
         # A rounding above the floor is no contact: that is said beside every result.
         self.write("room.obj", "\n".join(line + ".000000000001" if line.startswith("v") and line[-2:] == " 0" and
                                          base >= 8 else line

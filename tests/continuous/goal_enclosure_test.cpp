@@ -8,7 +8,9 @@
 #include <cmath>
 #include <memory>
 #include <mutex>
+#include <numbers>
 
+#include "radcert/continuous/elements/local_values.h"
 #include "radcert/continuous/goals.h"
 #include "radcert/continuous/observer_cells.h"
 #include "radcert/continuous/residual.h"
@@ -171,6 +173,28 @@ TEST(GoalEnclosure, OfValuesForSeveralEmissionsMakesAFurnace) {
     expect_contains(found.numbers[k], 1);
     expect_contains(found.numbers[2 + k] + found.numbers[4 + k], 1);
   }
+}
+
+/// A point of the parts of faces.
+SolutionPoint point_on(const PolyhedronProblem& asked, const Vector<Rational>& at) {
+  return {panel_about(asked.panels, at), at};
+}
+
+TEST(GoalEnclosure, OfValuesWherePartsHideEachOtherMakesAFurnace) {
+  const std::vector<Rational> rho(8, Rational(1, 10));
+  const std::vector<Rational> emission(8, Rational(9, 10));
+  PolyhedronProblem furnace = test::occluded_problem(test::l_room(), rho, emission);
+  furnace.further_emissions = {furnace.emission, furnace.emission};
+  for (std::size_t k = 0; k < furnace.panels.size(); ++k)
+    furnace.further_emissions[furnace.panels[k].piece == 4 ? 0 : 1][k] = constant_polynomial(Rational(0));
+  // From there half of the room is not seen.
+  const GoalEnclosure found =
+      enclose_values(furnace, {point_on(furnace, {Rational(1, 4), Rational(7, 4), 0})}, 1.0);
+  EXPECT_LE(found.width, 1.0);
+  ASSERT_EQ(found.numbers.size(), 3U);
+  expect_contains(found.numbers[0], 1);
+  expect_contains(found.numbers[1] + found.numbers[2], 1);
+  EXPECT_GT(found.numbers[1].value, 0.5);
 }
 
 TEST(GoalEnclosure, OfEmissionsByFaceIsReciprocal) {
@@ -390,7 +414,7 @@ TEST(Goals, AreCorrectedByTheirDualsFromAnyTrialFunction) {
       const Trial trial(scene, reflectivity, elements, given, std::move(q), duals.rounding);
       const CellDemand demand{.interpolation = 3e-3, .quadrature = 3e-5};
       const ResidualSums sums = residual_sums(trial, observer_cells(trial, demand), demand);
-      const std::vector<Approximation> of_density = goals->of_density(trial);
+      const std::vector<Approximation> of_density = goals->of_density(trial, 1e-9);
       for (std::size_t k = 0; k < goals->count(); ++k) {
         const Approximation rest =
             Approximation::proved(0, sums.norms[0] * (sums.norms[1 + k] + duals.left[k]) / 0.5);
@@ -440,6 +464,104 @@ TEST(PointValues, EndCuttingAtAnEdge) {
   EXPECT_FALSE(std::isfinite(goals->put_duals(elements, emissions).left[0]));
 }
 
+TEST(PointValues, OfADensityAreWhatIsSeenOfALampPastAnEdge) {
+  // From (6/5, 1/2) the edge at (1, 1) leaves x <= 3/5 of the wall y = 2 in sight, all of whose light comes
+  // straight: of what is h away and as high, in a plane across its own, a strip of the width w from the foot
+  // sends (atan(w/h) - h/r atan(w/r))/(2 pi), r^2 = h^2 + 1.
+  const Rational half(1, 2);
+  std::vector<Rational> emission(8, 0);
+  emission[5] = 1;
+  const PolyhedronProblem lamp =
+      test::occluded_problem(test::l_room(), std::vector<Rational>(8, half), emission);
+  const SectorScene scene(lamp.panels, lamp.blockers);
+  const std::vector<double> reflectivity(scene.panels().size(), 0.5);
+  const Vector<Rational> at{Rational(6, 5), half, 0};
+  const std::unique_ptr<Goals> goals = point_values(
+      scene, reflectivity,
+      {{.point = point_on(lamp, at), .emissions = {Approximation::exact(0)}, .reflectivity = 0.5}});
+  const std::vector<SectorElement> elements = graded_elements(scene, 2);
+  const SectorFunctions given = emission_functions(lamp, scene, elements, 2, 1, 0);
+  const Trial trial(scene, reflectivity, elements, given, SectorFunctions(elements.size(), 2, 1));
+  const auto sent_by = [](double width) {
+    const double h = 1.5;
+    const double r = std::sqrt(h * h + 1);
+    return (std::atan(width / h) - h / r * std::atan(width / r)) / (2 * std::numbers::pi);
+  };
+  for (const double allowed : {1e-2, 1e-4, 1e-6}) {
+    const Approximation functional = goals->of_density(trial, allowed)[0];
+    EXPECT_LE(functional.radius, allowed * 1.01);
+    const Approximation number = goals->number(0, functional);
+    EXPECT_TRUE(number.guaranteed);
+    EXPECT_LE(std::abs(number.value - 0.5 * (sent_by(1.2) - sent_by(0.6))), number.radius);
+  }
+}
+
+/// Whether a straight way leaves the L-shaped room, through the quarter x > 1, y > 1.
+bool is_hidden_in_l_room(const Vector<double>& p, const Vector<double>& q) {
+  double from = 0;
+  double to = 1;
+  for (const auto& [a, b] : {std::array{p.x, q.x}, {p.y, q.y}}) {
+    if (a <= 1 && b <= 1) return false;
+    const double at = (1 - a) / (b - a);
+    if (a <= 1) from = std::max(from, at);
+    if (b <= 1) to = std::min(to, at);
+  }
+  return from < to;
+}
+
+TEST(PointValues, LeaveHalfOfAKernelWhereItIsSeenInPart) {
+  const SectorScene scene(test::cut(test::l_room()), test::l_room());
+  const std::vector<double> reflectivity(scene.panels().size(), 0.25);
+  const Vector<Rational> at{Rational(6, 5), Rational(1, 2), 0};
+  const std::size_t panel = panel_about(scene.panels(), at);
+  const std::unique_ptr<Goals> goals =
+      point_values(scene, reflectivity,
+                   {{.point = {panel, at}, .emissions = {Approximation::exact(0)}, .reflectivity = 0.25}});
+  constexpr int degree = 5;
+  const std::vector<SectorElement> elements = goals->refined(graded_elements(scene, 2), degree, 0.03);
+  SectorFunctions emissions(elements.size(), 2, degree);
+  const DualErrors duals = goals->put_duals(elements, emissions);
+  EXPECT_LE(duals.left[0], 0.06);
+  const Vector<double> from = scene.place(at);
+  const Vector<double>& up = scene.normal(panel);
+  double closest = 0;
+  int seen_in_part = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const Sector& sector = scene.sectors()[elements[e].sector];
+    const SectorBox& box = elements[e].box;
+    constexpr int steps = 24;
+    double squares = 0;
+    int hidden = 0;
+    for (int i = 0; i < steps; ++i)
+      for (int j = 0; j < steps; ++j) {
+        const double x = (2 * i + 1.0) / steps - 1;
+        const double y = (2 * j + 1.0) / steps - 1;
+        const double t = box.middle_t() + 0.5 * (box.t1 - box.t0) * y;
+        const Vector<double> q = sector.point(box.middle_s() + 0.5 * (box.s1 - box.s0) * x, t);
+        const Vector<double> way = q - from;
+        const double cosines =
+            std::max(0.0, dot(up, way)) * std::max(0.0, -dot(scene.normal(sector.panel), way));
+        const bool is_hidden = is_hidden_in_l_room(from + scene.origin(), q + scene.origin());
+        hidden += static_cast<int>(is_hidden);
+        const double kernel =
+            is_hidden ? 0
+                      : std::ldexp(cosines / (dot(way, way) * dot(way, way)), -goals->exponent(0)) /
+                            std::numbers::pi;
+        double h = 0;
+        LocalValues(elements[e], *duals.polynomials, e).at(box, x, y, {&h, 1});
+        squares += 0.25 * (kernel - h) * (kernel - h) * sector.jacobian * (1 - t) * (box.s1 - box.s0) *
+                   (box.t1 - box.t0) / (steps * steps);
+      }
+    const double left = duals.left_on_elements[e];
+    EXPECT_LE(std::sqrt(squares), left * 1.01 + 1e-12) << "element " << e;
+    if (hidden == 0 || hidden == steps * steps) continue;
+    ++seen_in_part;
+    closest = std::max(closest, std::sqrt(squares) / left);
+  }
+  EXPECT_GT(seen_in_part, 10);
+  EXPECT_GT(closest, 0.65);
+}
+
 TEST(EmissionFunctions, AreThePolynomialOnEveryElement) {
   // The emission at points of elements by plane_coordinates, against its coefficients there.
   Draw draw(3);
@@ -477,6 +599,38 @@ TEST(EmissionFunctions, AreThePolynomialOnEveryElement) {
       EXPECT_EQ(f.of(e, 1)[0], 0);
     }
   }
+}
+
+TEST(PanelAbout, IsAPartOfAFaceButNotOfItsEdges) {
+  const std::vector<Panel> parts = test::cut(test::l_room());
+  // In a part, on the line between two, and on no edge; on edges, in a corner, at the corner that looks inwards,
+  // beside the room and off its planes.
+  const Rational half(1, 2);
+  for (const Vector<Rational>& p :
+       {Vector<Rational>{half, half, 0}, {1, half, 0}, {half, 1, 1}, {0, 1, half}}) {
+    const std::size_t k = panel_about(parts, p);
+    ASSERT_LT(k, parts.size());
+    EXPECT_EQ(dot(parts[k].normal, p - parts[k].corners[0]).sign(), 0);
+  }
+  for (const Vector<Rational>& p : {Vector<Rational>{half, 0, 0},
+                                    {0, 0, 0},
+                                    {1, 1, 0},
+                                    {1, 0, 0},
+                                    {1, 1, half},
+                                    {Rational(3, 2), 1, 0},
+                                    {Rational(3, 2), Rational(3, 2), 0},
+                                    {half, half, half}})
+    EXPECT_EQ(panel_about(parts, p), parts.size());
+  // Four triangles about a point, and three of them.
+  const Vector<Rational> middle{0, 0, 0};
+  std::vector<Panel> star;
+  const std::array<Vector<Rational>, 4> ends{Vector<Rational>{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}};
+  for (std::size_t i = 0; i < 4; ++i)
+    star.push_back(test::panel_with(0, {middle, ends[i], ends[(i + 1) % 4]}));
+  EXPECT_EQ(panel_about(star, middle), 0U);
+  EXPECT_EQ(panel_about({star[0], star[1], star[2]}, middle), 3U);
+  star[3].piece = 1;
+  EXPECT_EQ(panel_about(star, middle), 4U);
 }
 
 TEST(PanelInside, DecidesExactly) {

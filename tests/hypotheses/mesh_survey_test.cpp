@@ -260,6 +260,21 @@ TEST(MeshSurvey, NamesTheObstacle) {
   EXPECT_FALSE(survey_of(needle, {.vertices = true, .faces = true}).obstacle().has_value());
 }
 
+TEST(MeshSurvey, RefusesARoomThatABodyFills) {
+  // Its faces and those of the body cover each other, whichever of the two is the first.
+  for (const bool turned : {false, true})
+    for (const FrontRule rule : {FrontRule::right_hand, FrontRule::left_hand}) {
+      const sample::Polyhedron filled = sample::cube_in_cube(1, {0, 0, 0}, true);
+      try {
+        const MeshSurvey survey = survey_of(turned ? reversed(filled) : filled, {}, rule);
+        EXPECT_FALSE(survey.mesh.triangles.empty());
+      } catch (const InputError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("nothing is left"));
+      }
+    }
+  EXPECT_THROW((void)survey_of(sample::cube_in_cube(1, {0, 0, 0}, true)), InputError);
+}
+
 TEST(MeshSurvey, RefusesASurfaceWithoutSides) {
   try {
     (void)survey_of(sample::glued_grid(7, 6, true));

@@ -94,7 +94,7 @@ class Check(NamedTuple):
     has, on an ellipsoid rows of points; looked_at: the claims on how many were proved again. means: (midpoint, radius) by
     piece, Fractions. points: of a certificate of values, a list of dicts with piece, at and value, a (midpoint, radius).
     function: of a certificate of a function, how far the solution is from it at most, at points that are outside or more
-    from every vertex: 0, everywhere.
+    from every corner of a face: 0, everywhere.
     """
 
     verified: bool

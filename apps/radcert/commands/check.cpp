@@ -122,10 +122,10 @@ std::string summary(const CheckOptions& options, const Verdict& verdict) {
     is_first = false;
   }
   if (const std::optional<certificate::BoundAtDistance> bound = certificate::function_bound(c))
-    rows.push_back(
-        {"u", "within " + upper_text(bound->sup, DecimalForm::general(6)) + " of the function, " +
-                  (bound->outside.sign() == 0 ? "everywhere"
-                                              : bound->outside.to_text() + " or more from every vertex")});
+    rows.push_back({"u", "within " + upper_text(bound->sup, DecimalForm::general(6)) + " of the function, " +
+                             (bound->outside.sign() == 0
+                                  ? "everywhere"
+                                  : bound->outside.to_text() + " or more from every corner of a face")});
   return aligned_left(rows);
 }
 

@@ -37,7 +37,8 @@ struct FunctionProof {
 
 /// A piecewise polynomial v near the solution u, and how near.
 struct FunctionEnclosure {
-  double sup = 0;  ///< |u - v| at points that are about `outside` or more from every vertex: 2^-41 of it less
+  /// |u - v| at points that are about `outside` or more from every corner of a panel: 2^-41 of it less.
+  double sup = 0;
   double outside = 0;  ///< 0: everywhere
   struct AtDistance {
     double outside = 0;

@@ -183,7 +183,7 @@ private:
                       SectorFunctions(whole.size(), given.functions.count(), degree), given.duals.rounding);
     best_.width = 0;
     for (std::size_t i = 0; i < data_.emissions(); ++i) {
-      const std::vector<Approximation> found = goals_.of_density(trial, i);
+      const std::vector<Approximation> found = goals_.of_density(trial, 0.1 * radius_, i);
       for (std::size_t k = 0; k < goals_.count(); ++k) take(i, k, found[k]);
     }
     best_.last.width = best_.width;
@@ -255,7 +255,7 @@ private:
     best_.width = 0;
     std::vector<double> radii;
     for (std::size_t i = 0; i < emissions; ++i) {
-      const std::vector<Approximation> of_density = goals_.of_density(trial, i);
+      const std::vector<Approximation> of_density = goals_.of_density(trial, 0.1 * radius_, i);
       for (std::size_t k = 0; k < goals_.count(); ++k) {
         const std::size_t dual = emissions + k;
         const double goal = sums.norms[i] * (sums.norms[dual] + given.duals.left[k]) / data_.gap * upward;

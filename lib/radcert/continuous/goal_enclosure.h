@@ -65,9 +65,10 @@ struct GoalEnclosure {
 
 /// Encloses u at points.
 /// Maths     u(P) = E(P) + rho(P) J(u), J(u) = T u(P), j = G(P,.)/pi, as above
-/// Requires  as above, no blockers; points inside panels of the problem
+/// Requires  as above; points inside panels of the problem, or on sides at which parts of one plane meet
 /// Result    by point; all else as above
-/// Limits    the nearer a point is to an edge, the more elements its kernel asks for
+/// Limits    the nearer a point is to an edge, the more elements its kernel asks for; where parts hide each
+///           other elements are cut along the borders of what the point sees, where its kernel jumps
 [[nodiscard]] GoalEnclosure enclose_values(const PolyhedronProblem& problem,
                                            const std::vector<SolutionPoint>& points, double wanted,
                                            const SearchContext& context = {}, bool with_proof = false);

@@ -56,8 +56,8 @@ public:
   /// Requires  functions of the degree of q and that of rho together
   virtual DualErrors put_duals(std::span<const SectorElement> elements, SectorFunctions& emissions) const = 0;
   /// J_k(w), w that of an emission.
-  /// Result    proved
-  [[nodiscard]] virtual std::vector<Approximation> of_density(const Trial& trial,
+  /// Result    proved; within `allowed` where that can be had
+  [[nodiscard]] virtual std::vector<Approximation> of_density(const Trial& trial, double allowed,
                                                               std::size_t emission = 0) const = 0;
   /// a_k + b_k times an enclosure of J_k(u), of an emission.
   /// Result    proved where that is
@@ -81,7 +81,8 @@ struct ValueGoal {
 /// Maths     u(P) = E(P) + rho(P) T u(P): j(Q) = G(P,Q)/pi, b = rho(P). On an element j is holomorphic around
 ///           the lines of either parameter (kernel_in_ellipse), so that its interpolant j_h at tensor Gauss
 ///           nodes is off by 2 |X|^(1/2) (e_s + e_t) in L2 on the element X, e = 2 M rho^(1-n)/(rho-1) for n
-///           nodes
+///           nodes. Where panels hide each other, j = V G/pi is 0 on elements that P does not see; on those
+///           seen in part half of the interpolant stands for it, off by half of sup |j| and half of that
 /// Requires  the scene outlives it; points inside their panels
 [[nodiscard]] std::unique_ptr<Goals> point_values(const SectorScene& scene, const Reflectivity& reflectivity,
                                                   const std::vector<ValueGoal>& points);

@@ -46,7 +46,7 @@ public:
     return {.left = std::vector<double>(count())};
   }
 
-  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial,
+  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial, double /*allowed*/,
                                                       std::size_t emission) const override {
     std::vector<double> integrals(count());
     std::vector<double> sizes(count());

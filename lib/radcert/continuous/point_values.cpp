@@ -9,6 +9,7 @@
 
 #include "radcert/continuous/elements/element_interpolation.h"
 #include "radcert/continuous/goals.h"
+#include "radcert/continuous/transport/shaded_values.h"
 #include "radcert/continuous/transport/source_rule.h"
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/core/work_limit.h"
@@ -31,7 +32,8 @@ struct Observer {
   int exponent = 0;  ///< j is taken 2^-exponent times
 };
 
-/// What interpolation at n nodes misses of G(P,.)/pi on an element, in either parameter; infinite if unknown.
+/// What polynomials miss of a kernel on an element, that part of it to which lines in either parameter bring
+/// it; infinite if unknown.
 struct KernelErrors {
   double in_s = 0;
   double in_t = 0;
@@ -106,7 +108,7 @@ public:
                    .left_on_elements = std::vector<double>(elements.size() * count())};
     for (std::size_t e = 0; e < elements.size(); ++e)
       for (std::size_t k = 0; k < count(); ++k) {
-        if (!sends(elements[e], observers_[k])) continue;
+        if (reflects(elements[e], observers_[k]) == PanelView::none) continue;
         const std::span<double> dual = out.polynomials->of(e, k);
         const double own = put(interpolation, elements[e], observers_[k], degree, dual);
         out.left[k] += own * own;
@@ -119,17 +121,18 @@ public:
     return out;
   }
 
-  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial,
+  [[nodiscard]] std::vector<Approximation> of_density(const Trial& trial, double allowed,
                                                       std::size_t emission) const override {
-    const Transport transport(trial.scene, trial.elements, trial.w);
+    const bool is_open = trial.scene.sight().is_open();
+    const SectorFunctions functions = is_open ? trial.w : with_one(trial.w, trial.elements.size());
+    const Transport transport(trial.scene, trial.elements, functions);
     std::vector<Approximation> out;
     for (const Observer& observer : observers_) {
-      const ObserverGroup group{.panel = observer.panel, .points = {observer.at}};
-      constexpr double tolerance = 1e-14;
-      const Transport::Values found = transport(group, tolerance);
-      out.push_back(
-          Approximation::proved(std::ldexp(found.values[emission], -observer.exponent),
-                                std::ldexp(found.radius + trial.rounding, -observer.exponent) * upward));
+      const auto [value, radius] = is_open ? sent(transport, observer, emission)
+                                           : sent_past_panels(transport, trial, observer, emission,
+                                                              std::ldexp(allowed, observer.exponent));
+      out.push_back(Approximation::proved(std::ldexp(value, -observer.exponent),
+                                          std::ldexp(radius + trial.rounding, -observer.exponent) * upward));
     }
     return out;
   }
@@ -148,17 +151,55 @@ public:
   }
 
 private:
+  static constexpr double tolerance = 1e-14;
+
+  /// A value of T w and its radius.
+  static std::pair<double, double> sent(const Transport& transport, const Observer& observer,
+                                        std::size_t function) {
+    const Transport::Values found = transport({.panel = observer.panel, .points = {observer.at}}, tolerance);
+    return {found.values[function], found.radius};
+  }
+
+  /// The same where parts hide each other, by functions with 1: what is seen in part is cut until little is
+  /// left of it.
+  static std::pair<double, double> sent_past_panels(const Transport& transport, const Trial& trial,
+                                                    const Observer& observer, std::size_t function,
+                                                    double allowed) {
+    constexpr double most_mass = 0x1p-20;
+    constexpr double least_mass = 0x1p-36;  // some hundred thousand parts along a shadow's border
+    const double size = trial.smoothness.size();
+    for (double mass = most_mass;; mass /= 16) {
+      const Transport::Values found = transport(
+          {.panel = observer.panel, .points = {observer.at}, .hull = {observer.at}, .least_mass = mass},
+          std::clamp(1e-4 * allowed / size, tolerance, 1e-6));
+      const ShadedValues values = half_shaded(trial.penumbra, found, size);
+      const double shade = values.shade[function];
+      if (shade <= allowed || mass <= least_mass)
+        return {values.values.values[function], (values.values.radius + shade) * upward};
+    }
+  }
+
   [[nodiscard]] bool facing(std::size_t panel, std::size_t other) const {
     return panel != other && !scene_.coplanar(panel, other);
   }
 
-  /// Whether anything goes from an element to a point by reflection.
-  [[nodiscard]] bool sends(const SectorElement& element, const Observer& observer) const {
-    const std::size_t panel = scene_.sectors()[element.sector].panel;
-    return reflectivity_.largest(panel) > 0 && facing(observer.panel, panel);
+  /// How much a point sees of an element.
+  [[nodiscard]] PanelView view(const SectorElement& element, const Observer& observer) const {
+    const Sector& sector = scene_.sectors()[element.sector];
+    if (!facing(observer.panel, sector.panel)) return PanelView::none;
+    const PanelView of_panels = scene_.sight().view(observer.panel, sector.panel);
+    if (of_panels != PanelView::partly) return of_panels;
+    const std::array<Vector<double>, 4> corners = corners_of(sector, element.box);
+    return PanelSight::Lookout(scene_.sight(), observer.panel, {&observer.at, 1}, sector.panel).view(corners);
   }
 
-  /// sup rho^(1/2) |X|^(1/2) times twice what interpolation misses of any point's kernel, in s and in t.
+  /// How much of what an element reflects goes to a point.
+  [[nodiscard]] PanelView reflects(const SectorElement& element, const Observer& observer) const {
+    const std::size_t panel = scene_.sectors()[element.sector].panel;
+    return reflectivity_.largest(panel) > 0 ? view(element, observer) : PanelView::none;
+  }
+
+  /// Of (Int rho (j - j_h)^2)^(1/2) of any point, on an element.
   [[nodiscard]] KernelErrors errors(const SectorElement& element, int degree) const {
     KernelErrors worst;
     for (const Observer& observer : observers_) {
@@ -169,16 +210,39 @@ private:
     return worst;
   }
 
+  /// Maths     where X is seen in part half of what interpolation misses and of sup |j|, |X|^(1/2) <= (4 h_s
+  ///           h_t)^(1/2) <= h_s + h_t, h half lengths of X
   [[nodiscard]] KernelErrors errors(const SectorElement& element, const Observer& observer,
                                     int degree) const {
-    if (!sends(element, observer)) return {};
-    const std::size_t panel = scene_.sectors()[element.sector].panel;
-    const double rho = reflectivity_.largest(panel);
+    const PanelView view = reflects(element, observer);
+    if (view == PanelView::none) return {};
     const SeenPart part = seen(element, observer);
-    const double scale = std::ldexp(2 * std::sqrt(part.area * rho), -observer.exponent) * upward;
+    KernelErrors out = missed_by_interpolation(element, observer, part, degree);
+    if (view == PanelView::whole) return out;
+    const double largest = largest_kernel(element, observer, part);
+    out.in_s = 0.5 * (out.in_s + largest * part.half_s) * upward;
+    out.in_t = 0.5 * (out.in_t + largest * part.half_t) * upward;
+    return out;
+  }
+  /// Maths     rho^(1/2) |X|^(1/2) times twice what interpolation misses of G/pi
+  [[nodiscard]] KernelErrors missed_by_interpolation(const SectorElement& element, const Observer& observer,
+                                                     const SeenPart& part, int degree) const {
+    const std::size_t panel = scene_.sectors()[element.sector].panel;
+    const double scale =
+        std::ldexp(2 * std::sqrt(part.area * reflectivity_.largest(panel)), -observer.exponent) * upward;
     const double height = height_over(panel, observer);
     return {.in_s = scale * least_error(part.to_s, part.half_s, height, degree + 1),
             .in_t = scale * least_error(part.to_t, part.half_t, height, degree + 1)};
+  }
+  /// sup rho^(1/2) G/pi on an element.
+  [[nodiscard]] double largest_kernel(const SectorElement& element, const Observer& observer,
+                                      const SeenPart& part) const {
+    const std::size_t panel = scene_.sectors()[element.sector].panel;
+    const double distance = part.least_distance();
+    if (!(distance > 0)) return infinity;
+    const double largest =
+        std::numbers::inv_pi * kernel_in_ellipse(distance, 0, height_over(panel, observer)) * upward;
+    return std::ldexp(std::sqrt(reflectivity_.largest(panel)) * largest, -observer.exponent) * upward;
   }
 
   [[nodiscard]] SeenPart seen(const SectorElement& element, const Observer& observer) const {
@@ -196,7 +260,8 @@ private:
              const Observer& observer, int degree, std::span<double> coefficients) const {
     const Sector& sector = scene_.sectors()[element.sector];
     const double height = dot(scene_.normal(sector.panel), observer.at - sector.a);
-    const double scale = std::ldexp(std::numbers::inv_pi, -observer.exponent);
+    const double seen_share = reflects(element, observer) == PanelView::whole ? 1 : 0.5;
+    const double scale = std::ldexp(seen_share * std::numbers::inv_pi, -observer.exponent);
     std::vector<double> values;
     double largest = 0;
     for (const Vector<double>& q : interpolation.points(sector, element.box)) {
@@ -210,9 +275,12 @@ private:
     const double least = part.least_distance();
     if (!(least > least_kernel_distance * scene_.extent())) return infinity;
     const double off = scale * kernel_rounding * scene_.extent() / (least * least * least);
-    const KernelErrors missed = errors(element, observer, degree);
+    const KernelErrors missed = missed_by_interpolation(element, observer, part, degree);
+    const double of_view =
+        seen_share < 1 ? 0.5 * std::sqrt(part.area) * largest_kernel(element, observer, part) : 0;
     const double rho = reflectivity_.largest(sector.panel);
-    return (missed.in_s + missed.in_t + std::sqrt(part.area * rho) * interpolation.rounding(largest, off)) *
+    return (seen_share * (missed.in_s + missed.in_t) + of_view +
+            std::sqrt(part.area * rho) * interpolation.rounding(largest, off)) *
            upward;
   }
 

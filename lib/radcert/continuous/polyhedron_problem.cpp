@@ -96,6 +96,35 @@ TensorPolynomial first_in_legendre(const TensorPolynomial& f, double from, doubl
   return transposed(columns);
 }
 
+/// The least sign of a point with regard to the sides of a convex polygon, 1 inside it and 0 on a side; -1
+/// also off its plane.
+int least_side(const Panel& panel, const Vector<Rational>& p) {
+  const std::vector<Vector<Rational>>& corners = panel.corners;
+  if (dot(panel.normal, p - corners[0]).sign() != 0) return -1;
+  int least = 1;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector<Rational> side = corners[(i + 1) % corners.size()] - corners[i];
+    least = std::min(least, dot(cross(side, p - corners[i]), panel.normal).sign());
+  }
+  return least;
+}
+
+/// The rays between which a panel lies as seen from a point of its border, counterclockwise.
+struct PanelAngle {
+  Vector<Rational> from;
+  Vector<Rational> to;
+};
+
+PanelAngle angle_at(const Panel& panel, const Vector<Rational>& p) {
+  const std::vector<Vector<Rational>>& corners = panel.corners;
+  const std::size_t n = corners.size();
+  for (std::size_t i = 0; i < n; ++i)
+    if (corners[i] == p) return {corners[(i + 1) % n] - p, corners[(i + n - 1) % n] - p};
+  std::size_t side = 0;
+  while (cross(corners[(side + 1) % n] - corners[side], p - corners[side]) != Vector<Rational>{}) ++side;
+  return {corners[(side + 1) % n] - p, corners[side] - p};
+}
+
 }  // namespace
 
 ParameterPoint<Rational> plane_coordinates(const Panel& panel, const Vector<Rational>& p) {
@@ -104,16 +133,26 @@ ParameterPoint<Rational> plane_coordinates(const Panel& panel, const Vector<Rati
 }
 
 std::size_t panel_inside(const std::vector<Panel>& panels, const Vector<Rational>& p) {
+  const auto holds = [&](const Panel& panel) { return least_side(panel, p) > 0; };
+  return static_cast<std::size_t>(std::find_if(panels.begin(), panels.end(), holds) - panels.begin());
+}
+
+std::size_t panel_about(const std::vector<Panel>& panels, const Vector<Rational>& p) {
   for (std::size_t k = 0; k < panels.size(); ++k) {
-    const Panel& panel = panels[k];
-    const std::vector<Vector<Rational>>& corners = panel.corners;
-    if (dot(panel.normal, p - corners[0]).sign() != 0) continue;
-    bool inside = true;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Vector<Rational> side = corners[(i + 1) % corners.size()] - corners[i];
-      inside = inside && dot(cross(side, p - corners[i]), panel.normal).sign() > 0;
-    }
-    if (inside) return k;
+    const int least = least_side(panels[k], p);
+    if (least > 0) return k;
+    if (least < 0) continue;
+    std::vector<PanelAngle> angles;
+    for (const Panel& other : panels)
+      if (other.piece == panels[k].piece && dot(other.normal, panels[k].normal).sign() > 0 &&
+          least_side(other, p) == 0)
+        angles.push_back(angle_at(other, p));
+    const auto goes_on = [&](const PanelAngle& one) {
+      return std::any_of(angles.begin(), angles.end(), [&](const PanelAngle& other) {
+        return cross(one.to, other.from) == Vector<Rational>{} && dot(one.to, other.from).sign() > 0;
+      });
+    };
+    return std::all_of(angles.begin(), angles.end(), goes_on) ? k : panels.size();
   }
   return panels.size();
 }

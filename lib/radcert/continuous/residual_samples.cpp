@@ -15,26 +15,7 @@ namespace {
 
 constexpr double unit = unit_roundoff<double>();
 
-/// The functions and, last, 1.
-SectorFunctions with_one(const SectorFunctions& w, std::size_t elements) {
-  SectorFunctions out(elements, w.count() + 1, w.degree());
-  for (std::size_t e = 0; e < elements; ++e) {
-    for (std::size_t k = 0; k < w.count(); ++k) {
-      const std::span<const double> from = w.of(e, k);
-      std::copy(from.begin(), from.end(), out.of(e, k).begin());
-    }
-    out.of(e, w.count())[0] = 1;
-  }
-  return out;
-}
-
 }  // namespace
-
-/// Values, and what is shaded of them.
-struct ResidualSamples::Found {
-  Transport::Values values;
-  std::vector<double> shade = {};
-};
 
 ResidualSamples::ResidualSamples(const Trial& trial, ShadedParts shaded)
     : trial_(trial),
@@ -109,9 +90,9 @@ std::vector<CellSamples> ResidualSamples::operator()(std::span<const ObserverCel
       out.emplace_back();
       continue;
     }
-    Found found = cells[c].closed ? closed(cells[c], values[c])
-                  : as_they_are   ? Found{std::move(values[c])}
-                                  : half_shaded(values[c]);
+    ShadedValues found = cells[c].closed ? closed(cells[c], values[c])
+                         : as_they_are   ? ShadedValues{std::move(values[c])}
+                                         : half_shaded(trial_.penumbra, values[c], trial_.smoothness.size());
     out.push_back({.values = std::move(found.values.values),
                    .radius = (found.values.radius + rounding + trial_.rounding) * upward,
                    .shade = std::move(found.shade),
@@ -120,24 +101,8 @@ std::vector<CellSamples> ResidualSamples::operator()(std::span<const ObserverCel
   return out;
 }
 
-/// F_k + c_k (1 - F 1) of Penumbra.
-ResidualSamples::Found ResidualSamples::half_shaded(const Transport::Values& found) const {
-  const std::size_t points = found.values.size() / (count_ + 1);
-  Penumbra::Rest rest = trial_.penumbra.rest(found.shaded);
-  Found out{.values = {.values = std::vector<double>(points * count_),
-                       .radius = found.radius * (1 + trial_.smoothness.size()) * upward},
-            .shade = std::move(rest.bounds)};
-  for (std::size_t p = 0; p < points; ++p) {
-    const double* const sent = &found.values[p * (count_ + 1)];
-    for (std::size_t k = 0; k < count_; ++k)
-      out.values.values[p * count_ + k] = sent[k] + rest.constants[k] * (1 - sent[count_]);
-  }
-  return out;
-}
-
 /// F of Smoothness' closure: what the other panels send, and xi times the rest of T 1 = 1.
-ResidualSamples::Found ResidualSamples::closed(const ObserverCell& cell,
-                                               const Transport::Values& found) const {
+ShadedValues ResidualSamples::closed(const ObserverCell& cell, const Transport::Values& found) const {
   const IntervalRule<double>& rule_s = gauss_on_interval(cell.nodes_s);
   const IntervalRule<double>& rule_t = gauss_on_interval(cell.nodes_t);
   const std::size_t mirror = *trial_.closure.mirror(cell.element);
@@ -145,8 +110,9 @@ ResidualSamples::Found ResidualSamples::closed(const ObserverCell& cell,
   const SectorBox across{
       .s0 = 1 - cell.box.s1, .s1 = 1 - cell.box.s0, .t0 = 0, .t1 = trial_.elements[mirror].box.t1};
   const std::size_t points = rule_s.nodes.size() * rule_t.nodes.size();
-  Found out{.values = {.values = std::vector<double>(points * count_),
-                       .radius = found.radius * (1 + trial_.smoothness.density_size(mirror)) * upward}};
+  ShadedValues out{
+      .values = {.values = std::vector<double>(points * count_),
+                 .radius = found.radius * (1 + trial_.smoothness.density_size(mirror)) * upward}};
   if (!found.shaded.empty()) out.shade = trial_.penumbra.rest_at_edge(found.shaded, mirror, across).bounds;
   std::vector<double> xi(count_);
   for (std::size_t i = 0; i < rule_s.nodes.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include "radcert/continuous/elements/tensor_legendre.h"
 #include "radcert/continuous/observer_cells.h"
+#include "radcert/continuous/transport/shaded_values.h"
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/continuous/trial.h"
 
@@ -49,13 +50,11 @@ public:
                                                     const CellTolerances& tolerances) const;
 
 private:
-  struct Found;
   [[nodiscard]] std::vector<Transport::Values> sent(std::span<const ObserverCell> cells,
                                                     const CellTolerances& tolerances) const;
   [[nodiscard]] Transport::Values sent_past_panels(const ObserverCell& cell, double tolerance) const;
   [[nodiscard]] std::size_t panel_beyond(std::size_t element) const;
-  [[nodiscard]] Found half_shaded(const Transport::Values& found) const;
-  [[nodiscard]] Found closed(const ObserverCell& cell, const Transport::Values& found) const;
+  [[nodiscard]] ShadedValues closed(const ObserverCell& cell, const Transport::Values& found) const;
 
   const Trial& trial_;
   ShadedParts shaded_;

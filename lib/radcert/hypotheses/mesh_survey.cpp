@@ -225,6 +225,9 @@ MeshSurvey survey_mesh(const MeshFile& given, double degrees, const MeshRepair& 
     throw InputError({.problem = "has no triangle that is not degenerate", .allowed = "a mesh with faces"});
   survey.defects = mesh_defects(survey.mesh);
   const std::optional<Orientation> before = uncover(survey, rule, two_sided);
+  if (survey.mesh.triangles.empty())
+    throw InputError({.problem = "has faces that cover each other entirely, so that nothing is left of them",
+                      .allowed = "a room that is not filled by a body"});
   add_backs(survey.mesh, two_sided);
   survey.topology = mesh_topology(survey.mesh);
   require_orientable(survey.mesh, survey.topology);

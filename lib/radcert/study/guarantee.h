@@ -62,7 +62,7 @@ struct EnclosedValue {
 
 /// How near an approximation v is to a solution as a function, proved.
 struct FunctionBound {
-  double sup = 0;      ///< |u - v| at points that are `outside` or more from every vertex
+  double sup = 0;      ///< |u - v| at points that are `outside` or more from corners of faces
   double outside = 0;  ///< 0: everywhere
   struct AtDistance {
     double outside = 0;

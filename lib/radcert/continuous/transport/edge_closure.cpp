@@ -217,7 +217,11 @@ EdgeClosure::Neighbourhood EdgeClosure::neighbourhood(std::size_t element, const
       Border border{.one = f, .other = g, .along_s = above};
       border.from = above ? std::max(f.box.s0, g.box.s0) : std::max(f.box.t0, g.box.t0);
       border.to = above ? std::min(f.box.s1, g.box.s1) : std::min(f.box.t1, g.box.t1);
-      if ((above || beside) && border.from < border.to) out.jumps += jump(w, border, one, other);
+      if (!(above || beside) || !(border.from < border.to)) continue;
+      const Sector& sector = scene_.sectors()[f.sector];
+      const Side side = above ? Side{sector.point(border.from, f.box.t1), sector.point(border.to, f.box.t1)}
+                              : Side{sector.point(f.box.s1, border.from), sector.point(f.box.s1, border.to)};
+      out.jumps.push_back({side, jump(w, border, one, other)});
     }
   return out;
 }
@@ -235,23 +239,32 @@ double EdgeClosure::clearance(std::size_t sector, const Vector<double>& from,
 }
 
 EdgeClosure::Nearby EdgeClosure::nearby(std::size_t element, const SectorBox& box, double to_others,
-                                        double slope, double jumps) const {
+                                        double slope, std::span<const Jump> jumps) const {
   const std::size_t own = elements_[element].sector;
   const Sector& sector = scene_.sectors()[own];
   const std::size_t other = scene_.sectors()[*scene_.opposite(own)].panel;
   const double slack = 4 * displacement * scene_.extent();
   const Vector<double> from = sector.point(box.s0, 0);
   const Vector<double> to = sector.point(box.s1, 0);
-  const double d = to_others / upward - 0.5 * norm(to - from) * upward - slack;
-  Nearby nearby{.bound = infinity, .jumps = jumps, .distance = to_others};
+  const double around = 0.5 * norm(to - from) * upward + slack;
+  const double d = to_others / upward - around;
+  Nearby nearby{.bound = infinity, .jumps = 0, .distance = to_others};
   const double reach = box.t1 * std::max(norm(sector.c - from), norm(sector.c - to)) * upward + slack;
   const Vector<double>& n = scene_.normal(other);
   const double height = box.t1 * std::max(dot(n, sector.c - from), dot(n, sector.c - to)) * upward + slack;
   if (!(d > 4 * reach)) return nearby;
   const double rings = (scene_.before(sector.panel, other) ? 2 : 1) * height;
   const double logarithm = std::max(0.0, std::log((d - reach) / rings)) * upward;
+  double of_jumps = 0;
+  for (const Jump& jump : jumps) {
+    const double to_border = distance(0.5 * (from + to), jump.border.from, jump.border.to) / upward - around;
+    const double beyond = to_border - reach;
+    of_jumps += jump.size * (beyond > rings ? rings / beyond * upward : 1);
+    if (!(to_border > 0)) nearby.jumps += jump.size;
+  }
   nearby.bound =
-      (jumps + slope * (reach + rings * (1 + logarithm)) + rings / (d - reach) * 2 * beyond_[own]) * upward;
+      (of_jumps + slope * (reach + rings * (1 + logarithm)) + rings / (d - reach) * 2 * beyond_[own]) *
+      upward;
   return nearby;
 }
 
@@ -259,7 +272,7 @@ EdgeClosure::Nearby EdgeClosure::nearby(std::size_t element, const SectorBox& bo
   const std::size_t own = elements_[element].sector;
   const Sector& sector = scene_.sectors()[own];
   const Vector<double> middle = 0.5 * (sector.point(box.s0, 0) + sector.point(box.s1, 0));
-  return nearby(element, box, distance_around(own, middle), lipschitz_[*mirror_[element]], 0);
+  return nearby(element, box, distance_around(own, middle), lipschitz_[*mirror_[element]], {});
 }
 
 EdgeClosure::Nearby EdgeClosure::nearby_across_borders(std::size_t element, const SectorBox& box) const {

@@ -17,12 +17,13 @@ namespace radcert {
 ///           sum over i != j of T_i w + xi (1 - sum over i != j of T_i 1),  xi(s) = w on Q_j at the point x
 ///           of the edge that belongs to P = P(s,t). F is smooth up to the edge. For |P-x| <= R, P at most H
 ///           above the plane of Q_j, what is further than q from P has the mass M(q) = min(1, m H/q) at most,
-///           m = 2, or 1 where n_P.n_j >= 0, and |w - xi| <= J + l |Q-x| <= J + l (R + |Q-P|) up to the
+///           m = 2, or 1 where n_P.n_j >= 0, and |w - xi| <= J(Q) + l |Q-x| <= J(Q) + l (R + |Q-P|) up to the
 ///           distance d from x: |T_j(w - xi)| <= J + l R + l Int_0^(d-R) M dq + 2 sup|w| M(d-R)
 ///             = J + l (R + m H (1 + log((d-R)/(m H)))) + 2 sup|w| m H/(d-R)
 ///           Either d is the distance of the other sides of the element beyond, and J = 0; or that of the
-///           elements which do not touch it, and J the sum of the jumps of w between those which do: the way
-///           from x to Q crosses each of their borders once at most
+///           elements which do not touch it: the way from x to Q crosses each border between those which do
+///           once at most, and then |Q-P| >= e - R, e the distance of the border from x. J(Q) is at most the
+///           sum of the jumps of w on those that are crossed, and J = sum over all of jump M(e-R)
 /// Requires  the scene and the elements outlive it
 /// Result    bounds rounded up, infinite where there are none
 class EdgeClosure {
@@ -40,7 +41,7 @@ public:
 
   struct Nearby {
     double bound = 0;     ///< of |T_j(w - xi)|
-    double jumps = 0;     ///< J: what is left of it in the smallest part
+    double jumps = 0;     ///< of J, on borders that the part touches: cutting it takes little of them away
     double distance = 0;  ///< of the middle of the part of the edge from what bounds d
   };
   /// On a part of an element with a mirror that touches the edge, within the element beyond alone, or with
@@ -53,16 +54,20 @@ private:
     Vector<double> from;
     Vector<double> to;
   };
+  struct Jump {
+    Side border;
+    double size = 0;
+  };
   /// Elements that touch one, itself among them.
   struct Neighbourhood {
     std::vector<std::size_t> elements;
     double lipschitz = 0;  ///< the largest
-    double jumps = 0;      ///< J
+    std::vector<Jump> jumps = {};
   };
   [[nodiscard]] double distance_around(std::size_t sector, const Vector<double>& point) const;
   [[nodiscard]] Neighbourhood neighbourhood(std::size_t element, const SectorFunctions& w) const;
   [[nodiscard]] Nearby nearby(std::size_t element, const SectorBox& box, double to_others, double slope,
-                              double jumps) const;
+                              std::span<const Jump> jumps) const;
 
   const SectorScene& scene_;
   std::span<const SectorElement> elements_;

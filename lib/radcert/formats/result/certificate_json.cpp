@@ -210,7 +210,7 @@ void read_function(const JsonReader& reader, PolyhedronCertificate& c) {
     bound.require_object({"outside", "sup"});
     const JsonReader outside = bound.at("outside", "an exact number");
     const JsonReader sup = bound.at("sup", "a decimal");
-    c.by_distance.push_back({exact_number(outside), sup.rational("a decimal")});
+    c.by_distance.push_back({exact_number(outside), decimal_from(sup)});
     if (c.by_distance.back().outside.sign() < 0) outside.refuse("is negative", "0 or more");
     if (c.by_distance.back().sup.sign() < 0) sup.refuse("is negative", "0 or more");
   }
@@ -242,7 +242,7 @@ PolyhedronCertificate read_polyhedron_content(const JsonReader& reader) {
   else
     problem.require_object({"pieces", "faces"});
   for (const JsonReader& name : problem.at("pieces", "a list of names").elements("a list of names")) {
-    const std::string& word = name.string("a name");
+    const std::string word = name_from(name);
     if (std::find(c.pieces.begin(), c.pieces.end(), word) != c.pieces.end())
       name.refuse("is there twice", "each name once");
     c.pieces.push_back(word);
@@ -286,7 +286,7 @@ PolyhedronCertificate read_polyhedron_content(const JsonReader& reader) {
     c.claims.push_back(of_function ? read_largest(claim) : read_claim(claim, c.goals()));
   if (c.claims.size() != c.elements.size())
     claims.refuse("has " + std::to_string(c.claims.size()) + " claims", "one for each element");
-  c.width = reader.at("width", "a decimal").rational("a decimal");
+  c.width = decimal_from(reader.at("width", "a decimal"));
   if (of_function) return c;
   Claim sums = read_claim(reader.at("sums", "norms, products and radii"), c.goals());
   c.sums = {std::move(sums.norms), std::move(sums.products), std::move(sums.radii)};

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "radcert/core/control_characters.h"
 #include "radcert/core/text.h"
 
 namespace radcert {
@@ -64,6 +65,7 @@ double number_from(const JsonReader& reader) { return reader.number(what_a_numbe
 
 Rational exact_number(const JsonReader& reader) {
   const std::string what = "a decimal or fraction in a string, 0 or from 1e-60 to 1e60 in size";
+  (void)reader.string(what);
   Rational value = reader.rational(what);
   Rational most = 1;
   for (int k = 0; k < 60; ++k) most *= Rational(10);
@@ -78,10 +80,20 @@ Vector<Rational> exact_point(const JsonReader& reader) {
   return {exact_number(x[0]), exact_number(x[1]), exact_number(x[2])};
 }
 
+Rational decimal_from(const JsonReader& reader) {
+  (void)reader.string("a decimal in a string");
+  return reader.rational("a decimal in a string");
+}
+
+std::string name_from(const JsonReader& reader) {
+  const std::string& name = reader.string("a name");
+  if (has_control_characters(name)) reader.refuse("has control characters", "names of printable characters");
+  return name;
+}
+
 certificate::Enclosure read_enclosure(const JsonReader& reader) {
   const JsonReader radius = reader.at("radius", "a decimal");
-  certificate::Enclosure out{reader.at("midpoint", "a decimal").rational("a decimal"),
-                             radius.rational("a decimal")};
+  certificate::Enclosure out{decimal_from(reader.at("midpoint", "a decimal")), decimal_from(radius)};
   if (out.radius.sign() < 0) radius.refuse("is negative", "0 or more");
   return out;
 }

@@ -29,6 +29,9 @@ void read_bits(const JsonReader& reader, std::size_t count, std::vector<double>&
 /// An exact number, 0 or from 1e-60 to 1e60 in size, which double can work with.
 [[nodiscard]] Rational exact_number(const JsonReader& reader);
 [[nodiscard]] Vector<Rational> exact_point(const JsonReader& reader);
+[[nodiscard]] Rational decimal_from(const JsonReader& reader);
+/// The name of a piece, which a verdict prints.
+[[nodiscard]] std::string name_from(const JsonReader& reader);
 /// Midpoint and radius, of 0 or more.
 [[nodiscard]] certificate::Enclosure read_enclosure(const JsonReader& reader);
 

@@ -48,8 +48,8 @@ std::vector<Monomial> polynomial_from(const JsonReader& reader, int most) {
   return out;
 }
 
-Rational decimal_from(const JsonReader& reader) {
-  Rational out = reader.rational("a decimal");
+Rational bound_from(const JsonReader& reader) {
+  Rational out = decimal_from(reader);
   if (out.sign() < 0) reader.refuse("is negative", "0 or more");
   return out;
 }
@@ -59,7 +59,7 @@ void read_problem(const JsonReader& problem, EllipsoidCertificate& c) {
     problem.require_object({"piece", "half_axes", "reflectivity", "emission", "points"});
   else
     problem.require_object({"piece", "half_axes", "reflectivity", "emission"});
-  c.piece = problem.at("piece", "a name").string("a name");
+  c.piece = name_from(problem.at("piece", "a name"));
   const JsonReader axes = problem.at("half_axes", "three half axes");
   c.half_axes = exact_point(axes);
   for (const Rational* const axis : {&c.half_axes.x, &c.half_axes.y, &c.half_axes.z})
@@ -128,12 +128,11 @@ EllipsoidCertificate read_ellipsoid_content(const JsonReader& reader) {
   if (kinds_of.size() != 2) coefficients.refuse("is not of cosines and sines", "two strings");
   read_bits(kinds_of[0], EllipsoidCertificate::count(c.degree), c.cosines);
   read_bits(kinds_of[1], EllipsoidCertificate::count(c.degree), c.sines);
-  c.largest_reflectivity =
-      reader.at("largest_reflectivity", "a bound of the reflectivity").rational("a number");
+  c.largest_reflectivity = decimal_from(reader.at("largest_reflectivity", "a bound of the reflectivity"));
   const JsonReader residual = reader.at("residual", "a bound of the residual");
   c.residual = number_from(residual);
   if (!(c.residual >= 0)) residual.refuse("is negative", "0 or more");
-  c.bound = decimal_from(reader.at("bound", "a decimal"));
+  c.bound = bound_from(reader.at("bound", "a decimal"));
   if (has_numbers) {
     const JsonReader found = reader.at(of, "a list of enclosures");
     const std::size_t count = c.of == OnEllipsoid::values ? c.points.size() : 1;
@@ -154,7 +153,7 @@ EllipsoidCertificate read_ellipsoid_content(const JsonReader& reader) {
       c.enclosures.push_back(read_enclosure(enclosures[k]));
     }
   }
-  c.width = decimal_from(reader.at("width", "a decimal"));
+  c.width = bound_from(reader.at("width", "a decimal"));
   return c;
 }
 

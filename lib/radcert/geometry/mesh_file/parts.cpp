@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/control_characters.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/scalar/decimal.h"
@@ -87,8 +88,7 @@ void MeshBuilder::end_face(const std::string& place) {
   const auto [found, is_new] = group_places_.try_emplace(group_, mesh_.group_names.size());
   mesh_.group.push_back(found->second);
   if (!is_new) return;
-  // On a terminal they would do more than name something.
-  if (std::any_of(group_.begin(), group_.end(), [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }))
+  if (has_control_characters(group_))
     refuse_mesh(place, group_, "is a group's name with control characters", "names of printable characters");
   mesh_.group_names.push_back(group_);
 }

@@ -47,10 +47,9 @@ std::unique_ptr<EnclosedProblem> enclosed_problem(const Problem& problem, const 
                                               : "is for a function, which is not asked for",
                       .allowed = "\"of\": \"function\" on a polyhedron beside outside"});
   if (!guarantee.emissions.empty() && (is_ellipsoid || guarantee.of == EnclosedQuantity::function))
-    throw InputError(
-        {.pointer = "/guarantee/emissions",
-         .problem = is_ellipsoid ? "are for polyhedra" : "are not for a function",
-         .allowed = "means on a polyhedron, or values on a convex one, beside further emissions"});
+    throw InputError({.pointer = "/guarantee/emissions",
+                      .problem = is_ellipsoid ? "are for polyhedra" : "are not for a function",
+                      .allowed = "means or values on a polyhedron beside further emissions"});
   if (is_ellipsoid && !surface.mesh) return enclosed_ellipsoid(problem, guarantee, std::move(surface));
   return enclosed_polyhedron(problem, guarantee, std::move(surface));
 }

@@ -28,7 +28,7 @@ constexpr std::size_t most_cut_panels = 300;
 
 constexpr const char* what_is_enclosed =
     "a convex polyhedron with exact planes (of the catalogue or a mesh), closed or without some of its "
-    "faces, a closed mesh whose parts hide each other (means alone), a sphere or an ellipsoid";
+    "faces, a closed mesh whose parts hide each other, a sphere or an ellipsoid";
 
 [[noreturn]] void refuse_surface(const Problem& problem, const std::string& reason) {
   throw InputError({.pointer = problem.surface.mesh ? "/surface/file" : "/surface/name",
@@ -40,8 +40,8 @@ constexpr const char* what_is_enclosed =
 /// Where parts hide each other: those of the surface, cut along their planes, and themselves as blockers.
 void put_occluded_panels(PolyhedronProblem& out, const Problem& problem, const Surface& surface,
                          const Guarantee& guarantee, std::vector<Panel> panels) {
-  if (guarantee.of != EnclosedQuantity::means)
-    refuse_surface(problem, "parts of it hide each other, where only means are enclosed");
+  if (guarantee.of == EnclosedQuantity::function)
+    refuse_surface(problem, "parts of it hide each other, where means and values are enclosed");
   if (!surface.closed) refuse_surface(problem, "parts of it hide each other, and it is not closed");
   Outcome<std::vector<Panel>> cut = cut_panels(panels, most_cut_panels);
   if (!cut) refuse_surface(problem, "parts of it hide each other, and " + cut.reason());
@@ -332,25 +332,49 @@ bool is_near_an_edge(const Panel& panel, const Vector<Rational>& p) {
   return false;
 }
 
-/// The points at which values are asked for, each with its panel.
+[[noreturn]] void refuse_point(std::size_t k, const Vector<Rational>& point, const std::string& problem,
+                               const std::string& allowed) {
+  throw InputError({.pointer = "/guarantee/points/" + std::to_string(k),
+                    .value = coordinates_text(point),
+                    .problem = problem,
+                    .allowed = allowed});
+}
+
+/// The points at which values are asked for, each with its panel; where no panel hides another.
 std::vector<SolutionPoint> solution_points(const Guarantee& guarantee, const std::vector<Panel>& panels) {
   std::vector<SolutionPoint> out;
   if (guarantee.points.empty())
     for (std::size_t k = 0; k < panels.size(); ++k) out.push_back({k, panels[k].centre});
   for (std::size_t k = 0; k < guarantee.points.size(); ++k) {
-    const std::size_t panel = panel_inside(panels, guarantee.points[k]);
+    const Vector<Rational>& point = guarantee.points[k];
+    const std::size_t panel = panel_inside(panels, point);
     if (panel == panels.size())
-      throw InputError({.pointer = "/guarantee/points/" + std::to_string(k),
-                        .value = coordinates_text(guarantee.points[k]),
-                        .problem = "does not lie inside a face of the surface",
-                        .allowed = "a point of a face that is on none of its edges, nor on a line between "
-                                   "parts that lie in one plane, exactly"});
-    if (is_near_an_edge(panels[panel], guarantee.points[k]))
-      throw InputError({.pointer = "/guarantee/points/" + std::to_string(k),
-                        .value = coordinates_text(guarantee.points[k]),
-                        .problem = "is too near to an edge of its face",
-                        .allowed = "points further from each edge than a thousandth of its length"});
-    out.push_back({panel, guarantee.points[k]});
+      refuse_point(
+          k, point, "does not lie inside a face of the surface",
+          "a point of a face that is on none of its edges, nor on a line between parts that lie in one "
+          "plane, exactly");
+    if (is_near_an_edge(panels[panel], point))
+      refuse_point(k, point, "is too near to an edge of its face",
+                   "points further from each edge than a thousandth of its length");
+    out.push_back({panel, point});
+  }
+  return out;
+}
+
+/// The same on parts of faces, where they hide each other.
+std::vector<SolutionPoint> points_on_parts(const Guarantee& guarantee, const std::vector<Panel>& parts) {
+  if (guarantee.points.empty())
+    throw InputError({.pointer = "/guarantee/points",
+                      .problem = "are not given, and parts of the surface hide each other",
+                      .allowed = "a list of points, or --at X,Y,Z"});
+  std::vector<SolutionPoint> out;
+  for (std::size_t k = 0; k < guarantee.points.size(); ++k) {
+    const Vector<Rational>& point = guarantee.points[k];
+    const std::size_t part = panel_about(parts, point);
+    if (part == parts.size())
+      refuse_point(k, point, "does not lie inside a face of the surface",
+                   "a point of a face that is on none of its edges, exactly");
+    out.push_back({part, point});
   }
   return out;
 }
@@ -396,7 +420,8 @@ public:
     if (guarantee.of == EnclosedQuantity::values) {
       std::vector<Panel> own = near_.polyhedron.panels;
       std::erase_if(own, [&](const Panel& panel) { return is_opening(panel.piece); });
-      points_ = solution_points(guarantee, own);
+      points_ = near_.polyhedron.blockers.empty() ? solution_points(guarantee, own)
+                                                  : points_on_parts(guarantee, own);
     }
     if (guarantee.of == EnclosedQuantity::function)
       outside_ = distance_from_vertices(guarantee, near_.polyhedron);
@@ -413,6 +438,8 @@ public:
   [[nodiscard]] std::vector<std::string> certificate_hindrances() const override {
     std::vector<std::string> out;
     if (near_.distance != 0) out.emplace_back("an emission is no polynomial of degree 8 or less");
+    if (!near_.polyhedron.blockers.empty() && guarantee_.of != EnclosedQuantity::means)
+      out.emplace_back("parts of the surface hide each other, where certificates are of means");
     return out;
   }
   [[nodiscard]] CertifiedSolution certified(const GuaranteeContext& context) const override {
