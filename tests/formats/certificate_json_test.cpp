@@ -142,30 +142,33 @@ TEST(CertificateJson, RefusesWhatIsNoCertificate) {
     return out.replace(at, from.size(), to);
   };
   for (const std::string& wrong :
-       {std::string(),
-        std::string("{}"),
-        text.substr(0, text.size() / 3),
-        changed("certificate/1", "certificate/2"),
-        changed("\"of\": \"means\"", "\"of\": \"values\""),
-        changed("\"degree\": 1", "\"degree\": 2"),
-        changed("\"degree\": 1", "\"degree\": 13"),
+       {std::string(), std::string("{}"), text.substr(0, text.size() / 3),
+        changed("certificate/1", "certificate/2"), changed("\"of\": \"means\"", "\"of\": \"values\""),
+        changed("\"degree\": 1", "\"degree\": 2"), changed("\"degree\": 1", "\"degree\": 13"),
         changed("\"coefficients\": [\"", "\"coefficients\": [\"0"),
         changed("\"coefficients\": [\"b", "\"coefficients\": [\"g"),
-        changed("\"coefficients\": [\"b", "\"coefficients\": [\"f"),
-        changed("\"1/7\"", "\"1/0\""),
-        changed("\"1/7\"", "\"1e300\""),
-        changed("\"1/7\"", "\"nan\""),
-        changed("[1, 2, 0", "[4, 2, 0"),
-        changed("[1, 2, 0", "[1, 3, 0"),
-        changed("[1, 2, 0", "[1, 2, 0.3"),
-        changed("\"norms\": [", "\"norms\": [-1,"),
-        changed("\"norms\": [0", "\"norms\": [-0"),
+        changed("\"coefficients\": [\"b", "\"coefficients\": [\"f"), changed("\"1/7\"", "\"1/0\""),
+        changed("\"1/7\"", "\"1e300\""), changed("\"1/7\"", "\"nan\""),
+        // Not all readers of JSON take a number for the nearest double.
+        changed("\"1/7\"", "0.125"), changed("\"2/3\"", "9007199254740995"),
+        changed("\"width\": \"3", "\"width\": 3, \"width\": \"3"), changed("[1, 2, 0", "[4, 2, 0"),
+        changed("[1, 2, 0", "[1, 3, 0"), changed("[1, 2, 0", "[1, 2, 0.3"),
+        changed("\"norms\": [", "\"norms\": [-1,"), changed("\"norms\": [0", "\"norms\": [-0"),
         changed("\"claims\": [", "\"claims\": [{},"),
         changed("\"pieces\": [\"one\"", "\"pieces\": [\"other\""),
         changed("{\"piece\": \"one\", \"midpoint\"", "{\"piece\": \"other\", \"midpoint\""),
-        changed("\"means\": [", "\"means\": [1,"),
-        changed("\"digest\"", "\"digestion\"")})
+        changed("\"means\": [", "\"means\": [1,"), changed("\"digest\"", "\"digestion\"")})
     EXPECT_THROW(static_cast<void>(read_certificate(wrong, "c.json")), InputError) << wrong.substr(0, 200);
+}
+
+TEST(CertificateJson, RefusesNamesThatWouldPrintMoreThanANameDoes) {
+  for (const std::string& name :
+       {std::string("one 7 +- 1e-9\nother"), std::string("\x1b[2J"), std::string("\x7f")}) {
+    certificate::PolyhedronCertificate c = sample();
+    c.pieces[1] = name;
+    EXPECT_THROW(static_cast<void>(read_certificate(certificate_text(c, "radcert test"), "c.json")),
+                 InputError);
+  }
 }
 
 TEST(EllipsoidCertificateJson, ReadsBackAsItWas) {
