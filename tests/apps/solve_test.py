@@ -76,8 +76,16 @@ class Solve(ProgramTest):
         said = self.expect(0, "solve", self.write("room.json", problem), "--guarantee", "0.1")
         self.assertIn("Mended: room.obj: contact of room_bottom and box_bottom: an area of 1", said)
         self.assertIn("box_top            0.5", said)
-        said = self.expect(0, "solve", "room.json", "--guarantee", "0.1", "--of", "values", "--at", "1.5,1.5,1")
-        self.assertIn("box_top", said)
+        values = ("solve", "room.json", "--guarantee", "0.1", "--of", "values")
+        self.assertIn("box_top", self.expect(0, *values, "--at", "1.5,1.5,1"))
+        # On the line between two parts of the floor, and on an edge.
+        self.assertIn("room_bottom", self.expect(0, *values, "--at", "0.5,1,0"))
+        for more, says in [(("--at", "1,1,0"), "does not lie inside a face of the surface"),
+                           ((), "are not given, and parts of the surface hide each other"),
+                           (("--at", "1.5,1.5,1", "--certificate", "c.json"), "where certificates are of means")]:
+            done = self.run_program(*values, *more)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(says, done.stderr.decode())
         done = self.run_program("solve", "room.json", "--guarantee", "0.1", "--of", "function")
         self.assertEqual(done.returncode, 2)
         self.assertIn("where means and values are enclosed", done.stderr.decode())
