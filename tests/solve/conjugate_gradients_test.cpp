@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -117,6 +118,68 @@ TEST(ConjugateGradients, RefuseAToleranceBeyondTheArithmetic) {
   const std::vector<double> b(30, 1.0);
   EXPECT_FALSE(solve_by_conjugate_gradients(k, b, 0.1, 1e-40));
   EXPECT_THROW((void)solve_by_conjugate_gradients(k, b, 0, 0.1), ContractViolation);
+}
+
+/// ||2^exponent x - v||_2, in long double.
+long double distance(const std::vector<double>& x, int exponent, const std::vector<double>& v) {
+  long double square = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const long double difference = std::ldexp(static_cast<long double>(x[i]), exponent) - v[i];
+    square += difference * difference;
+  }
+  return std::sqrt(square);
+}
+
+TEST(ConjugateGradients, SolveAtEveryScaleToTheBit) {
+  const Matrix<double> k = symmetric(spread(40, -0.3, 0.9), 5);
+  std::vector<double> b(40);
+  for (std::size_t i = 0; i < b.size(); ++i) b[i] = std::cos(static_cast<double>(i * i));
+  for (const std::optional<double> tolerance : {std::optional(1e-6), std::optional<double>()}) {
+    const auto plain = solve_by_conjugate_gradients(k, b, 0.0999, tolerance);
+    ASSERT_TRUE(plain);
+    for (const int exponent : {-1, -500, -540, -600, -900, 500, 511, 600, 1000}) {
+      std::vector<double> scaled(b);
+      for (double& value : scaled) value = std::ldexp(value, exponent);
+      const auto found = solve_by_conjugate_gradients(k, scaled, 0.0999, tolerance);
+      ASSERT_TRUE(found) << exponent << ": " << found.reason();
+      for (std::size_t i = 0; i < b.size(); ++i)
+        EXPECT_EQ(found->values[i], std::ldexp(plain->values[i], exponent)) << exponent;
+      EXPECT_EQ(found->residual, std::ldexp(plain->residual, exponent)) << exponent;
+      EXPECT_EQ(found->error_bound, std::ldexp(plain->error_bound, exponent)) << exponent;
+      EXPECT_EQ(found->energy_bound, std::ldexp(plain->energy_bound, exponent)) << exponent;
+    }
+  }
+}
+
+TEST(ConjugateGradients, CountWhatIsRoundedBelowTheNormalRange) {
+  const Matrix<double> k = symmetric(spread(30, -0.3, 0.9), 5);
+  for (const int exponent : {-1030, -1050, -1064, -1070, -1074}) {
+    // Whole multiples of the least number, so that the right-hand sides are exactly multiples of each other.
+    std::vector<double> whole(30);
+    std::vector<double> b(30);
+    for (std::size_t i = 0; i < b.size(); ++i) {
+      whole[i] = std::round(7 * std::cos(static_cast<double>(i * i)));
+      b[i] = std::ldexp(whole[i], exponent);
+    }
+    const auto exact = solve_by_conjugate_gradients(k, whole, 0.0999, std::nullopt);
+    const auto found = solve_by_conjugate_gradients(k, b, 0.0999, std::nullopt);
+    ASSERT_TRUE(exact && found);
+    const long double error = distance(exact->values, exponent, found->values);
+    EXPECT_GT(found->residual, 0);
+    EXPECT_LE(error, found->error_bound + std::ldexp(static_cast<long double>(exact->error_bound), exponent))
+        << exponent;
+    // Below the normal range no digits are left for this.
+    EXPECT_FALSE(solve_by_conjugate_gradients(k, b, 0.0999, 1e-15)) << exponent;
+  }
+}
+
+TEST(ConjugateGradients, RefuseNumbersBeyondTheRange) {
+  Matrix<double> k(1, 1);
+  k(0, 0) = 0.9375;
+  EXPECT_FALSE(solve_by_conjugate_gradients(k, std::vector<double>{0x1p1021}, 0.0625, 0.5));
+  EXPECT_TRUE(solve_by_conjugate_gradients(k, std::vector<double>{0x1p1018}, 0.0625, 0.5));
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(solve_by_conjugate_gradients(k, std::vector<double>{infinity}, 0.0625, 0.5));
 }
 
 }  // namespace

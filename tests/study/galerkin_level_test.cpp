@@ -71,6 +71,28 @@ TEST(GalerkinLevel, KeepsTheEnergyOfAClosedSurface) {
   }
 }
 
+TEST(GalerkinLevel, IsLinearInEmissionsWhoseSquaresUnderflow) {
+  const auto plain = means(solve_level(emitting_floor(0), 0, no_route));
+  for (const char* emission : {"1e-158", "1e-165", "1e-290"}) {
+    Problem problem = emitting_floor(0);
+    problem.emission = by_piece({{"floor", emission}, {"*", "0"}});
+    const double size = std::stod(emission);
+    for (const auto& [piece, mean] : means(solve_level(problem, 0, no_route))) {
+      EXPECT_NEAR(mean.value / size, plain.at(piece).value, 1e-12) << piece << " " << emission;
+      EXPECT_NEAR(mean.radius / size, plain.at(piece).radius, 1e-3 * plain.at(piece).radius)
+          << piece << " " << emission;
+    }
+  }
+}
+
+TEST(GalerkinLevel, ClaimsNoErrorBelowWhatSquaresHold) {
+  // Degree 0 does not have x: the error is that of a projection, 1/(2 sqrt(3)) of u on every face at least.
+  Problem problem = galerkin(with_solution(sample_problem("cube"), "1e-170*x"), 0);
+  const LevelOutcome level = solve_level(problem, 0, reference::applied_operator);
+  ASSERT_TRUE(level.result.l2_error.has_value());
+  EXPECT_GE(level.result.l2_error->value + level.result.l2_error->radius, 2e-171);
+}
+
 TEST(GalerkinLevel, GrowsWithNestedSpacesOverTheEmitter) {
   const double coarse = means(solve_level(emitting_floor(0), 0, no_route)).at("floor").value;
   const double refined = means(solve_level(emitting_floor(0), 1, no_route)).at("floor").value;

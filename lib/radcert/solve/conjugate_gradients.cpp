@@ -8,6 +8,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/scalar/enclosing_text.h"
+#include "radcert/solve/rounding/euclidean_norm.h"
 #include "radcert/solve/rounding/rounding.h"
 
 namespace radcert {
@@ -25,11 +26,8 @@ double dot(std::span<const double> a, std::span<const double> b) {
   return sum;
 }
 
-double norm_of(std::span<const double> a) { return std::sqrt(dot(a, a)); }
-
-/// Rounded up: a norm of n entries by the machine.
-double upper_norm(std::span<const double> a) { return norm_of(a) * upward_of_sums(a.size() + 2); }
-
+/// On a right-hand side whose largest entry is between 1 and 2, or which is 0: of residuals from there to the
+/// rounding of their products the squares are far above the least numbers.
 class Descent {
 public:
   Descent(const SystemProducts& k, std::span<const double> b, double lower)
@@ -71,22 +69,47 @@ public:
 
   [[nodiscard]] const DefiniteSolution& solution() const { return solution_; }
 
+  /// The solution for 2^exponent b, given one for b. Numbers below the normal range are rounded: what v moves
+  /// by, d at most in each entry, moves the residual by (1 + ||K||_2) d sqrt(n) at most.
+  [[nodiscard]] DefiniteSolution rescaled(DefiniteSolution solution, int exponent) const {
+    double moved = 0;
+    for (double& value : solution.values) {
+      const double scaled = std::ldexp(value, exponent);
+      moved = std::max(moved, std::abs(std::ldexp(scaled, -exponent) - value));
+      value = scaled;
+    }
+    if (moved > 0) {
+      solution.residual += (1 + row_sum_) * std::sqrt(static_cast<double>(b_.size())) * moved;
+      solution.residual *= upward_of_sums(8);
+      bound(solution);
+    }
+    for (double* size : {&solution.residual, &solution.error_bound, &solution.energy_bound})
+      *size = scaled_from_above(*size, exponent);
+    return solution;
+  }
+
 private:
   /// The residual of v, and what it may be.
   void measure() {
     const std::size_t n = b_.size();
     k_.accurate_residual(solution_.values, b_, r_);
-    const double r = upper_norm(r_);
-    const double v = upper_norm(solution_.values);
+    const double r = euclidean_norm_from_above(r_);
+    const double v = euclidean_norm_from_above(solution_.values);
     const double small = (static_cast<double>(n) + 4) * unit;
     double largest = 0;
     for (const double value : solution_.values) largest = std::max(largest, std::abs(value));
     const double of_operator = k_.rounding() * largest * std::sqrt(static_cast<double>(n));
+    // Where b is not 0, ||b|| >= 1: of (n + 4)^2 u^2 ||b|| the residual takes (n + 3)^2 u^2 ||b||, and what
+    // underflows, less than 8 (n + 4) 2^-1074 in an entry, is far below what is left.
     solution_.residual =
-        (r * (1 + unit) + small * small * (upper_norm(b_) + v + row_sum_ * v) + of_operator) *
+        (r * (1 + unit) + small * small * (euclidean_norm_from_above(b_) + v + row_sum_ * v) + of_operator) *
         upward_of_sums(8);
-    solution_.error_bound = solution_.residual / lower_ * (1 + 2 * unit);
-    solution_.energy_bound = solution_.residual / std::sqrt(lower_) * (1 + 4 * unit);
+    bound(solution_);
+  }
+
+  void bound(DefiniteSolution& solution) const {
+    solution.error_bound = solution.residual / lower_ * (1 + 2 * unit);
+    solution.energy_bound = solution.residual / std::sqrt(lower_) * (1 + 4 * unit);
   }
 
   const SystemProducts& k_;
@@ -105,10 +128,15 @@ Outcome<DefiniteSolution> solve_by_conjugate_gradients(const SystemProducts& k, 
           named("rows", k.rows()), named("entries", b.size()));
   expects(lower > 0, "a positive lower bound", named("lower", lower));
   expects(!tolerance || *tolerance > 0, "a positive tolerance");
-  Descent descent(k, b, lower);
+  // A power of two moves no bit, and keeps squares away from the ends of the range.
+  const int exponent = binary_exponent(b);
+  std::vector<double> scaled(b.begin(), b.end());
+  for (double& value : scaled) value = std::ldexp(value, -exponent);
+  Descent descent(k, scaled, lower);
   DefiniteSolution best = descent.solution();
+  // Only where b is 0 the residual is.
   const auto reached = [&] {
-    return best.residual == 0 || (tolerance && best.error_bound <= *tolerance * norm_of(best.values));
+    return best.residual == 0 || (tolerance && best.error_bound <= *tolerance * euclidean_norm(best.values));
   };
   while (!reached()) {
     if (!descent.run()) return because("a direction shows that the matrix is not positive definite");
@@ -119,10 +147,12 @@ Outcome<DefiniteSolution> solve_by_conjugate_gradients(const SystemProducts& k, 
     best.iterations = now.iterations;
     if (!has_halved || now.iterations >= conjugate_directions.count()) break;
   }
+  best = descent.rescaled(std::move(best), exponent);
+  if (!std::isfinite(best.error_bound)) return because("numbers run over the range of double");
   if (tolerance && !reached())
     return because("the error bound is " + upper_text(best.error_bound) + " in the 2-norm after " +
                    std::to_string(best.iterations) + " conjugate directions, and the solution has the size " +
-                   nearest_text(norm_of(best.values), DecimalForm::general(3)));
+                   nearest_text(euclidean_norm(best.values), DecimalForm::general(3)));
   return best;
 }
 

@@ -33,7 +33,9 @@ struct DefiniteSolution {
 /// Source    Hestenes, Stiefel, Methods of conjugate gradients for solving linear systems, 1952; the residual
 ///           as accurate_residual, whose errors are counted in `residual`: in the 2-norm u ||r|| + ((n + 4)
 ///           u)^2 (||b|| + ||v|| + kappa ||v||), kappa the largest row sum of |K|, which bounds the norm of
-///           |K| since |K| is symmetric
+///           |K| since |K| is symmetric. The right-hand side is scaled by a power of two, its largest entry
+///           to at least 1 and below 2, which moves no bit within the normal range; the rounding of v below
+///           it is counted
 /// Requires  K symmetric, lower > 0 as above, which is the caller's to prove; tolerance absent or > 0
 /// Result    with a tolerance error_bound <= tolerance ||v||_2, without one until it no longer halves.
 ///           Refused where the tolerance is not reached, where numbers are not finite, or where a direction d

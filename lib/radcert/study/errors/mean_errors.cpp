@@ -67,7 +67,10 @@ std::optional<MeanErrors> mean_errors(const ComputedFunction& u_n, const Piecewi
   if (!std::isfinite(l2) || !std::isfinite(mean.value)) return std::nullopt;
   if (!l2_radius)
     return MeanErrors{Approximation::without_radius(l2), Approximation::without_radius(mean.value)};
-  const double l2_of_rules = std::abs(l2 - std::sqrt(coarse_square)) + roundings * size;
+  // Of a sum of n squares what underflows is below n 2^-1074; where u = u_n = 0 nothing does.
+  const double of_underflow =
+      size > 0 ? std::sqrt(static_cast<double>(all_elements(u_n))) * (order + 1) * 0x1p-537 : 0;
+  const double l2_of_rules = std::abs(l2 - std::sqrt(coarse_square)) + roundings * size + of_underflow;
   return MeanErrors{Approximation::estimated(l2, l2_of_rules + *l2_radius),
                     Approximation::estimated(mean.value, mean_radius)};
 }

@@ -15,6 +15,7 @@
 #include "radcert/polynomial/triangle_modes.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/conjugate_gradients.h"
+#include "radcert/solve/rounding/euclidean_norm.h"
 #include "radcert/study/collocation/level_geometry.h"
 #include "radcert/study/collocation/nodal_description.h"
 #include "radcert/study/collocation/nodal_function.h"
@@ -34,10 +35,15 @@ constexpr double unit = unit_roundoff<double>();
 /// The lattice by which the polynomials are given and told: inside the element.
 InsetBasis<double> lattice_basis(int degree) { return {degree, 0.5 / (degree + 2)}; }
 
-double norm_of(std::span<const double> values) {
+/// The square root of sum measures_i values_i^2, the values scaled so that their squares do not underflow.
+double weighted_norm(std::span<const double> measures, std::span<const double> values) {
+  const int exponent = binary_exponent(values);
   double sum = 0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double scaled = std::ldexp(values[i], -exponent);
+    sum += measures[i] * scaled * scaled;
+  }
+  return std::ldexp(std::sqrt(sum), exponent);
 }
 
 double largest(std::span<const double> values) {
@@ -288,16 +294,14 @@ private:
   /// The load of values at the points of a rule.
   [[nodiscard]] Load load_by_rule(int order, const Values& f, bool weighted = true) const {
     Load load;
-    double square = 0;
-    double size = 0;
+    std::vector<double> measures;
     for_points(order, [&](std::size_t i, const LoadPoint& at) {
       const double weight = weighted ? at.weight : 1.0;
       accumulate(at, f.value[i] * weight, load.values);
-      size += at.dS * weight * f.value[i] * f.value[i];
-      if (f.radius) square += at.dS * weight * (*f.radius)[i] * (*f.radius)[i];
+      measures.push_back(at.dS * weight);
     });
-    if (f.radius) load.radius = std::sqrt(square);
-    load.size = std::sqrt(size);
+    if (f.radius) load.radius = weighted_norm(measures, *f.radius);
+    load.size = weighted_norm(measures, f.value);
     return load;
   }
 
@@ -356,7 +360,7 @@ private:
     };
     const int order = degree_ + load_order;
     load_ = of_data(order);
-    double left_out = norm_of(difference(load_.values, of_data(order - 1).values));
+    double left_out = euclidean_norm(difference(load_.values, of_data(order - 1).values));
     if (problem_.solution) {
       const Stopwatch watch;
       const auto of_operator = [&](int n) {
@@ -364,7 +368,7 @@ private:
       };
       const int n = degree_ + operator_order;
       const Load ku = of_operator(n);
-      left_out += norm_of(difference(ku.values, of_operator(n - 1).values));
+      left_out += euclidean_norm(difference(ku.values, of_operator(n - 1).values));
       outcome_.timing.operator_seconds += watch.seconds();
       load_.values = difference(load_.values, ku.values);
       load_.radius = load_.radius && ku.radius ? std::optional(*load_.radius + *ku.radius) : std::nullopt;
@@ -405,7 +409,7 @@ private:
         .iterations = found->iterations, .contraction = 1 - lower_, .error_bound = found->error_bound};
     if (load_.radius) {
       const double off = eta();
-      const double size = norm_of(x_);
+      const double size = euclidean_norm(x_);
       const double rounding = unit * static_cast<double>(n + 64) * (size + load_.size);
       const double left = lower_ * (1 - off);
       // On the black pieces the error is that of the load.
