@@ -143,5 +143,19 @@ TEST(GalerkinMatrix, HasTheSameBitsForAnyNumberOfThreads) {
   }
 }
 
+TEST(DefinitenessAsStored, IsAttainedByOneUnknown) {
+  // W = 1 + defect, A* = rho W, A = A* + radius.
+  for (const double absorptivity : {1.0, 0.5, 0.1, 1e-3, 1e-9})
+    for (const double radius : {0.0, 1e-15, 3e-10, 7e-5, 0.3})
+      for (const double defect : {0.0, 1e-15, 2e-7, 0.01}) {
+        const Rational exact = Rational::exactly(absorptivity) -
+                               (1 - Rational::exactly(absorptivity)) * Rational::exactly(defect) -
+                               Rational::exactly(radius);
+        const double bound = definiteness_as_stored(absorptivity, radius, defect);
+        EXPECT_LE(Rational::exactly(bound), exact) << absorptivity << " " << radius << " " << defect;
+        EXPECT_NEAR(bound, exact.to_double(), 1e-15) << absorptivity << " " << radius << " " << defect;
+      }
+}
+
 }  // namespace
 }  // namespace radcert

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "radcert/core/errors.h"
 #include "radcert/reference/operator_integral.h"
 #include "radcert/study/study.h"
 #include "tests/study/problems.h"
@@ -157,6 +158,22 @@ TEST(GalerkinLevel, HasARadiusThatHoldsWhatTheIntegralsChange) {
   }
   EXPECT_GT(largest, 0);
   EXPECT_LT(fine.nodes.front().u_n.radius, rough.nodes.front().u_n.radius);
+}
+
+TEST(GalerkinLevel, RefusesWhereTheIntegralsLeaveNothingOfTheDefiniteness) {
+  // The exact system has 1 - rho below its least eigenvalue; that of rough integrals may be singular.
+  const auto nearly_white = [](int digits) {
+    Problem problem = galerkin(with_emission(sample_problem("cube"), "1"), 1, digits);
+    problem.reflectivity = everywhere("0.9999999");
+    return problem;
+  };
+  try {
+    (void)solve_level(nearly_white(2), 0, no_route);
+    FAIL() << "not refused";
+  } catch (const AccuracyNotReached& refusal) {
+    EXPECT_THAT(refusal.what(), HasSubstr("tolerance of /quadrature"));
+  }
+  EXPECT_NO_THROW((void)solve_level(nearly_white(11), 0, no_route));
 }
 
 TEST(GalerkinLevel, BoundsTheReflectivityFromAbove) {

@@ -245,9 +245,10 @@ std::string iteration_line(const Result& result) {
            "; no contraction is found: by the inverses of coarser levels the norm of the inverse is " +
            "estimated at " + nearest_text(1 / (1 - contraction), DecimalForm::general(3)) +
            ", and the error of the linear system at " + upper_text(error_bound) + "\n";
+  // What the integrals are off by, which is estimated, moves the least eigenvalue of the system.
   if (std::holds_alternative<Galerkin>(result.problem.method))
     return iterated + "; rho at most " + upper_text_below_one(contraction, 3) +
-           ", error of the linear system at most " + upper_text(error_bound) + " in the 2-norm\n";
+           ", error of the linear system about " + upper_text(error_bound) + " in the 2-norm\n";
   const std::string theta = contraction < 1 ? upper_text_below_one(contraction, 3) : upper_text(contraction);
   return iterated + "; contraction at most " + theta +
          (is_proved ? ", error of the linear system at most " : ", error of the linear system about ") +

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "radcert/core/parallel.h"
+#include "radcert/scalar/real.h"
 
 namespace radcert {
 
@@ -43,6 +44,12 @@ GalerkinMatrix galerkin_matrix(const PairIntegrals& pairs, std::size_t functions
   matrix.row_radius =
       parallel_reduce_ordered(elements, grain, std::vector<double>(elements * p), assemble_chunk, add_radii);
   return matrix;
+}
+
+double definiteness_as_stored(double absorptivity, double radius, double defect) {
+  constexpr double unit = unit_roundoff<double>();
+  const double bound = absorptivity - (1 - absorptivity) * defect - radius;
+  return bound - 4 * unit * (absorptivity + defect + radius);
 }
 
 }  // namespace radcert

@@ -28,4 +28,14 @@ struct GalerkinMatrix {
 [[nodiscard]] GalerkinMatrix galerkin_matrix(const PairIntegrals& pairs, std::size_t functions,
                                              const std::vector<bool>& serves);
 
+/// What the matrix I - A as stored keeps of the definiteness of the exact one.
+/// Maths     v^T (I - A) v >= bound v^T v, bound = absorptivity - (1 - absorptivity) defect - radius. Proof:
+///           let rho = 1 - absorptivity, W the masses of the functions with the weight 1/rho, and A* the
+///           exact integrals. By Schur's test v^T A* v <= rho v^T W v, W differs from I by `defect` at most
+///           in the 2-norm, and A from A* by `radius`
+/// Requires  0 < absorptivity <= 1, 1 less the largest reflectivity; radius and defect >= 0
+/// Result    rounded down; not positive where nothing is known, not even that the system has one solution
+/// Limits    an estimate, as the radii and the defect are
+[[nodiscard]] double definiteness_as_stored(double absorptivity, double radius, double defect);
+
 }  // namespace radcert

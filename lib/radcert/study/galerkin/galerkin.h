@@ -54,17 +54,18 @@ void check(const Problem& problem, const Galerkin& method, const Surface& surfac
 
 /// Solves a problem by Galerkin's method at one level.
 /// Maths     see Galerkin. In functions that are orthonormal with the weight 1/rho the system is (I - A) x =
-///           b, with x^T (I - A) x >= (1 - rho_max) x^T x, solved by conjugate gradients. For the error: with
-///           residual r of the computed x, entries and masses off by no more than eta in the 2-norm and b by
-///           delta, |x - exact| <= (|r| + eta |x| + delta) / ((1 - rho_max)(1 - eta)), which bounds the L2
-///           norm of the error of u_n too, since 1/rho >= 1
+///           b, with x^T (I - A) x >= (1 - rho_max) x^T x for the exact integrals, and for those that are
+///           stored what definiteness_as_stored leaves of it, solved by conjugate gradients. For the error:
+///           with residual r of the computed x, entries and masses off by no more than eta in the 2-norm and
+///           b by delta, |x - exact| <= (|r| + eta |x| + delta) / ((1 - rho_max)(1 - eta)), which bounds the
+///           L2 norm of the error of u_n too, since 1/rho >= 1
 /// Requires  a checked problem with this method
 /// Result    nodes: a lattice inside each element, at which u_n, u and E are told; node_error = max over them
 ///           of |u - u_n|; discretisation_error is absent. E = u - Ku at the points of the load's rule.
 ///           The same bits for any number of threads. Throws AccuracyNotReached where a row of a closed
-///           surface does not sum to that of Int G = pi within its radius, or numbers run over the range of
-///           double; InputError naming a point where an expression is not finite; Interrupted when asked to
-///           stop
+///           surface does not sum to that of Int G = pi within its radius, where the radii of the integrals
+///           leave nothing of 1 - rho_max, or numbers run over the range of double; InputError naming a point
+///           where an expression is not finite; Interrupted when asked to stop
 /// Limits    radii are estimates, since those of the integrals are
 [[nodiscard]] LevelOutcome solve(const Problem& problem, const Galerkin& method, int level,
                                  const OperatorRoute& route);

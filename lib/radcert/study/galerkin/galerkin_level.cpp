@@ -134,14 +134,32 @@ private:
   }
   [[nodiscard]] bool is_active(std::size_t unknown) const { return reflects_[element_of(unknown)]; }
 
-  /// What entries and masses are off by in the 2-norm.
-  [[nodiscard]] double eta() const {
+  /// What entries are off by in the 2-norm.
+  [[nodiscard]] double entry_radius() const {
     double rows = 0;
     for (std::size_t i = 0; i < matrix_.row_radius.size(); ++i)
       if (is_active(i)) rows = std::max(rows, matrix_.row_radius[i]);
+    return rows;
+  }
+
+  /// What masses are off by in the 2-norm.
+  [[nodiscard]] double mass_defect() const {
     double masses = 0;
     for (std::size_t k = 0; k < functions_->elements(); ++k) masses = std::max(masses, functions_->defect(k));
-    return rows + masses;
+    return masses;
+  }
+
+  [[nodiscard]] double eta() const { return entry_radius() + mass_defect(); }
+
+  /// Of the system as stored. Without one the radius of u_n would be larger than u_n.
+  [[nodiscard]] double definiteness() const {
+    const double bound = definiteness_as_stored(lower_, entry_radius(), mass_defect());
+    if (!(bound > 0))
+      refuse("the integrals are known within about " + upper_text(eta()) +
+             " in the 2-norm, which does not tell the system from a singular one where the reflectivity is "
+             "up to " +
+             upper_text_below_one(1 - lower_, 3) + ": take a smaller tolerance of /quadrature");
+    return bound;
   }
 
   /// Int_S G(P,Q) dS_Q = pi on a closed surface. The coefficients of 1 are t_b = Int w psi_b dS, so that
@@ -402,7 +420,7 @@ private:
     const std::optional<double> tolerance =
         problem_.solver.tolerance ? std::optional(problem_.solver.tolerance->to_double()) : std::nullopt;
     const Outcome<DefiniteSolution> found =
-        solve_by_conjugate_gradients(matrix_.entries, b, lower_, tolerance);
+        solve_by_conjugate_gradients(matrix_.entries, b, definiteness(), tolerance);
     if (!found) refuse(found.reason());
     for (std::size_t i = 0; i < active.size(); ++i) x_[active[i]] = found->values[i];
     outcome_.result.iteration = {
@@ -484,7 +502,7 @@ private:
   const Surface& surface_ = geometry_.data().surface;
   const Triangulation& triangulation_ = geometry_.data().triangulation;
   const std::vector<CollocationPoint<double>>& nodes_ = geometry_.data().nodes;
-  double lower_;                ///< of v^T (I - A) v over v^T v
+  double lower_;                ///< of v^T (W - A) v over v^T W v, A and the masses W exact
   std::vector<bool> reflects_;  ///< by element: rho > 0
   std::vector<double> rho_;
   std::optional<LocalFunctions> functions_;
