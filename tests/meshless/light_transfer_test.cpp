@@ -262,6 +262,49 @@ TEST(NeumannSeries, CountsTheRoundingsOfItsSteps) {
     }
 }
 
+TEST(NeumannSeries, CountsWhatUnderflows) {
+  // x = k x + e, and a turn of which the square contracts, for e of a few of the least numbers.
+  constexpr double least = std::numeric_limits<double>::denorm_min();
+  int solved = 0;
+  for (const double k : {0.4, 0.6, 0.9})
+    for (int units = 1; units < 40; ++units)
+      for (const double tolerance : {0.9, 0.5, 0.1, 1e-3}) {
+        const double e = units * least;
+        const auto series = NeumannSeries::make(matrix_of(1, {k}));
+        ASSERT_TRUE(series);
+        const auto solution = series->solve(std::array{e}, tolerance);
+        if (!solution) continue;
+        ++solved;
+        const Rational exact = Rational::exactly(e) / (1 - Rational::exactly(k));
+        EXPECT_LE(abs(exact - Rational::exactly(solution->values[0])),
+                  Rational::exactly(solution->error_bound))
+            << k << " " << units << " " << tolerance;
+      }
+  EXPECT_GT(solved, 0);
+  const Rational part = Rational::exactly(0.6);
+  const auto turn = NeumannSeries::make(matrix_of(2, {0.6, -0.6, 0.6, 0.6}));
+  ASSERT_TRUE(turn);
+  EXPECT_EQ(turn->power(), 2U);
+  for (int units = 1; units < 40; ++units)
+    for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(0.5)}) {
+      const std::array<double, 2> e{units * least, 3 * least};
+      const auto solution = turn->solve(e, tolerance);
+      if (!solution) continue;
+      const Rational a = 1 - part;
+      const Rational square = a * a + part * part;
+      const Rational first = Rational::exactly(e[0]);
+      const Rational second = Rational::exactly(e[1]);
+      const std::array<Rational, 2> exact{(a * first - part * second) / square,
+                                          (part * first + a * second) / square};
+      for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_LE(abs(exact[i] - Rational::exactly(solution->values[i])),
+                  Rational::exactly(solution->error_bound))
+            << units;
+    }
+  // Nothing underflows where there is nothing.
+  EXPECT_EQ(turn->solve(std::array{0.0, 0.0}, 0.5)->error_bound, 0);
+}
+
 TEST(NeumannSeries, RefusesWhatLeavesTheDoubles) {
   constexpr double largest = std::numeric_limits<double>::max();
   // x = e / (1 - 3/4) = 4 e; a turn, of which the square contracts, where the sum e + R e is too large, or

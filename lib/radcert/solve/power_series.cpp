@@ -27,6 +27,18 @@ constexpr std::size_t panel = 64;
 /// More than n roundings of a sum of n products, and of the few operations around it, can do to one part.
 double rounding_of_sums(std::size_t n) { return 2 * (static_cast<double>(n) + 8) * unit; }
 
+/// More than sums of n products, and the few operations around them, lose in an entry below the normal range:
+/// a product is off by half of the least number there, sums by nothing.
+double underflow_of_sums(std::size_t n) {
+  return 8 * static_cast<double>(n) * std::numeric_limits<double>::denorm_min();
+}
+
+/// The same of sums that begin with e: where that is 0 all terms are.
+double underflow_of_sums(std::span<const double> e) {
+  const bool is_zero = std::all_of(e.begin(), e.end(), [](double value) { return value == 0; });
+  return is_zero ? 0 : underflow_of_sums(e.size());
+}
+
 double row_norm(const Matrix<double>& a) {
   const std::vector<double> ones(a.columns(), 1.0);
   std::vector<double> sums(a.rows());
@@ -92,9 +104,9 @@ Outcome<NeumannSeries, NoPowerContracts> NeumannSeries::make(Matrix<double> r, l
                                       .diverges = !is_signed && contraction.reason().radius_from_below >= 1});
     // |fl(K^2) - K^2| <= gamma |K| |K|, and K is off by radius_: (K + E)^2 - K^2 = E K + K E + E^2.
     series.k_ = squared(k);
-    series.radius_ =
-        (rounding_of_sums(n) * size * size + 2 * size * series.radius_ + series.radius_ * series.radius_) *
-        (1 + 8 * unit);
+    series.radius_ = (rounding_of_sums(n) * size * size + static_cast<double>(n) * underflow_of_sums(n) +
+                      2 * size * series.radius_ + series.radius_ * series.radius_) *
+                     (1 + 8 * unit);
     series.power_ *= 2;
     size = row_norm(*series.k_);
   }
@@ -110,13 +122,15 @@ std::optional<IterativeSolution> NeumannSeries::plain_series(const Matrix<double
   const std::size_t n = e.size();
   const double theta = contraction_.theta();
   const double size_of_e = contraction_.norm(e);
+  const double underflow = underflow_of_sums(e) / contraction_.least_weight();
   IterativeSolution solution{
       .values = std::vector<double>(e.begin(), e.end()), .iterations = 0, .error_bound = 0};
   std::vector<double> next(n);
   std::vector<double> step(n);
   while (true) {
     // x - v' = K (x - v') + K (v' - v) - rounding, |rounding| <= gamma (|K| |v| + |e|).
-    const double rounding = rounding_of_sums(n) * (theta * contraction_.norm(solution.values) + size_of_e);
+    const double rounding =
+        rounding_of_sums(n) * (theta * contraction_.norm(solution.values) + size_of_e) + underflow;
     multiply(k, solution.values, next);
     for (std::size_t i = 0; i < n; ++i) {
       next[i] += e[i];
@@ -143,7 +157,8 @@ Outcome<IterativeSolution, NotReached> NeumannSeries::solve(std::span<const doub
   std::vector<double> image(n);
   double radius_of_sum = 0;
   for (std::size_t m = 1; m < power_; ++m) {
-    radius_of_sum = size_ * radius_of_sum + rounding_of_sums(n) * (size_ * largest(sum) + largest(e));
+    radius_of_sum = size_ * radius_of_sum + rounding_of_sums(n) * (size_ * largest(sum) + largest(e)) +
+                    underflow_of_sums(e);
     multiply(r_, sum, image);
     for (std::size_t i = 0; i < n; ++i) sum[i] = e[i] + image[i];
   }
