@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <set>
+#include <variant>
 
 #include "radcert/core/contract.h"
 #include "radcert/core/text.h"
@@ -106,6 +108,76 @@ TEST(LevelsLatex, HasARowALevelAndDashesForWhatIsAbsent) {
   EXPECT_NE(levels_latex(result).find("$3.99$"), std::string::npos);
   result.problem.solution.reset();
   EXPECT_NE(levels_latex(result).find("-1.0000000e300"), std::string::npos);
+}
+
+/// Levels with errors 2^-p of all kinds, as `collect` makes of them what tables show.
+Result result_of(const Method& method, bool iterated) {
+  Problem problem = test::sample_problem();
+  problem.method = method;
+  problem.iterated = iterated;
+  std::vector<LevelResult> levels;
+  for (int k = 0; k < 4; ++k) {
+    LevelResult level;
+    level.level = k;
+    level.mesh_size = std::ldexp(1.0, -k);
+    double p = 1;
+    for (const ErrorKind& kind : error_kinds()) {
+      const double error = std::exp2(-p * k);
+      level.*kind.figure = Approximation::estimated(error, error / 1000);
+      ++p;
+    }
+    if (std::holds_alternative<Galerkin>(method)) level.discretisation_error.reset();
+    if (iterated) {
+      level.iterated_error = level.node_error;
+      level.iterated.emplace().u_n_error = level.uniform_error;
+    }
+    levels.push_back(level);
+  }
+  return collect(problem, levels, {});
+}
+
+TEST(LevelsLatex, NamesEveryErrorOfWhichAnOrderIsFitted) {
+  const Method collocation = test::sample_problem().method;
+  for (const Method& method : {collocation, Method(Galerkin{.degree = 1}), Method(Meshless{})})
+    for (const bool iterated : {false, true}) {
+      const Result result = result_of(method, iterated);
+      const std::string text = levels_latex(result);
+      std::set<std::string> said;
+      for (std::size_t at = text.find("Fitted order of "); at != std::string::npos;
+           at = text.find("Fitted order of ", at + 1))
+        said.insert(text.substr(at, text.find(": ", at) - at));
+      // None of a collocation's discretisation error where there is none.
+      std::size_t fitted = 0;
+      for (const OrderFit& fit : result.orders) fitted += fit.order ? 1 : 0;
+      EXPECT_EQ(said.size(), fitted) << text;
+      EXPECT_GE(fitted, 2U);
+    }
+}
+
+TEST(LevelsLatex, ShowsGalerkinsErrorsInMeans) {
+  const Result result = result_of(Galerkin{.degree = 1}, false);
+  const std::string text = levels_latex(result);
+  EXPECT_EQ(text.find("K(I-P_n)u"), std::string::npos) << text;
+  EXPECT_EQ(count(text, "{$\\|u-u_n\\|_{L^2}$} & EOC"), 1U) << text;
+  EXPECT_EQ(count(text, "{means of $u-u_n$} & EOC"), 1U) << text;
+  // Node, L2 and mean errors of the level 1 with their orders 2, 4 and 5.
+  EXPECT_NE(text.find("2.500(3)e-1 & $2.00$ & 6.250(7)e-2 & $4.00$ & 3.125(4)e-2 & $5.00$"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find("Fitted order of $\\|u-u_n\\|_{L^2}$: $4.00"), std::string::npos) << text;
+  EXPECT_NE(text.find("Fitted order of means of $u-u_n$: $5.00"), std::string::npos) << text;
+  // Beside collocation each has the columns of both.
+  Experiment experiment{.name = "two", .varied = {}, .combinations = {}};
+  const std::vector<Result> results = {result_of(test::sample_problem().method, false), result};
+  for (const Result& one : results)
+    experiment.combinations.push_back({.name = "a", .choice = {}, .problem = one.problem});
+  EXPECT_EQ(count(combinations_latex(experiment, results), "& EOC"), 4U);
+}
+
+TEST(LevelsLatex, RefusesAnErrorWithoutAName) {
+  Result result = result_of(test::sample_problem().method, false);
+  result.orders.front().quantity = "u_error";
+  EXPECT_THROW((void)levels_latex(result), ContractViolation);
 }
 
 TEST(CombinationsLatex, HasTheLevelsOfEachCombinationUnderItsName) {

@@ -12,6 +12,7 @@
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/estimated_contraction.h"
 #include "radcert/study/collocation/matrix_form.h"
+#include "radcert/study/errors/error_order.h"
 #include "tables/number_cells.h"
 
 namespace radcert::app {
@@ -76,11 +77,9 @@ std::string mean_error_table(const Result& result) {
       {"level", "|u-u_n| in L2", "+-", "order", "of the means", "+-", "order"}};
   const auto order = [&](std::size_t k, std::optional<Approximation> LevelResult::*figure) -> std::string {
     if (k == 0) return "-";
-    const std::optional<Approximation>& before = result.levels[k - 1].*figure;
-    const std::optional<Approximation>& now = result.levels[k].*figure;
-    const double h = result.levels[k - 1].mesh_size / result.levels[k].mesh_size;
-    if (!before || !now || !(before->value > 0) || !(now->value > 0) || !(h > 1)) return "-";
-    return ratio_text(std::log(before->value / now->value) / std::log(h));
+    const LevelResult& before = result.levels[k - 1];
+    const LevelResult& now = result.levels[k];
+    return ratio_text(error_order(before.*figure, before.mesh_size, now.*figure, now.mesh_size));
   };
   for (std::size_t k = 0; k < result.levels.size(); ++k) {
     std::vector<std::string> row = {std::to_string(result.levels[k].level)};

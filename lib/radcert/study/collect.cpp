@@ -4,6 +4,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/study/efficiency.h"
+#include "radcert/study/errors/error_order.h"
 #include "radcert/study/study.h"
 
 namespace radcert {
@@ -17,17 +18,6 @@ std::optional<Approximation> u_n_error(const LevelResult& level) {
 }
 
 constexpr double largest_relative_radius = 0.05;
-
-std::optional<double> ratio(const std::optional<Approximation>& before,
-                            const std::optional<Approximation>& now) {
-  if (!before || !now || !(now->value > 0)) return std::nullopt;
-  return before->value / now->value;
-}
-
-std::optional<double> order(const std::optional<double>& error_ratio, double h_before, double h_now) {
-  if (!error_ratio || !(*error_ratio > 0) || !(h_before > h_now)) return std::nullopt;
-  return std::log(*error_ratio) / std::log(h_before / h_now);
-}
 
 /// The power law through the levels whose figures are trustworthy, from `fit_from` on, else from where the
 /// slopes are steady. Two levels meet every power law: no spread.
@@ -73,16 +63,20 @@ Result collect(const Problem& problem, std::vector<LevelResult> levels, std::vec
     if (k == 0) continue;
     const LevelResult& before = levels[k - 1];
     expects(before.level < now.level, "levels in ascending order", named("level", now.level));
-    now.discretisation_ratio = ratio(before.discretisation_error, now.discretisation_error);
-    now.node_ratio = ratio(before.node_error, now.node_error);
-    now.discretisation_order = order(now.discretisation_ratio, before.mesh_size, now.mesh_size);
-    now.node_order = order(now.node_ratio, before.mesh_size, now.mesh_size);
+    const auto order = [&](const std::optional<Approximation>& coarser,
+                           const std::optional<Approximation>& finer) {
+      return error_order(coarser, before.mesh_size, finer, now.mesh_size);
+    };
+    now.discretisation_ratio = error_ratio(before.discretisation_error, now.discretisation_error);
+    now.node_ratio = error_ratio(before.node_error, now.node_error);
+    now.discretisation_order = order(before.discretisation_error, now.discretisation_error);
+    now.node_order = order(before.node_error, now.node_error);
     if (!now.iterated) continue;
     IteratedReport& of_iterated = *now.iterated;
-    of_iterated.ratio = ratio(before.iterated_error, now.iterated_error);
-    of_iterated.u_n_ratio = ratio(u_n_error(before), of_iterated.u_n_error);
-    of_iterated.order = order(of_iterated.ratio, before.mesh_size, now.mesh_size);
-    of_iterated.u_n_order = order(of_iterated.u_n_ratio, before.mesh_size, now.mesh_size);
+    of_iterated.ratio = error_ratio(before.iterated_error, now.iterated_error);
+    of_iterated.u_n_ratio = error_ratio(u_n_error(before), of_iterated.u_n_error);
+    of_iterated.order = order(before.iterated_error, now.iterated_error);
+    of_iterated.u_n_order = order(u_n_error(before), of_iterated.u_n_error);
   }
   Result result{.problem = problem, .levels = std::move(levels), .orders = {}, .timing = std::move(timing)};
   if (problem.solution) {

@@ -2,8 +2,10 @@
 #include "radcert/formats/plot/convergence_plot.h"
 
 #include <cmath>
+#include <map>
 #include <utility>
 
+#include "radcert/core/contract.h"
 #include "radcert/formats/table/order_text.h"
 
 namespace radcert {
@@ -74,23 +76,30 @@ std::string description(ErrorAgainst against) {
          "rounding may have changed, where more than a marker.";
 }
 
+struct ErrorWords {
+  std::string plain;
+  std::string latex;
+};
+
+/// Of every kind that there is.
+const ErrorWords& words_of(const ErrorKind& kind) {
+  static const std::map<std::string, ErrorWords> words = {
+      {"discretisation_error", {"max |K(I - P_n)u| over the nodes", "$\\max|K(I-P_n)u|$ over the nodes"}},
+      {"node_error", {"max |u - u_n| over the nodes", "$\\max|u-u_n|$ over the nodes"}},
+      {"uniform_error", {"max |u - u_n| over a sample of S", "$\\max|u-u_n|$ over a sample of $S$"}},
+      {"l2_error", {"|u - u_n| in L2(S)", "$\\|u-u_n\\|_{L^2(S)}$"}},
+      {"mean_error", {"max |mean of u - u_n| over the pieces", "the largest mean of $u-u_n$ over a piece"}},
+      {"iterated_error", {"max |u - E - K u_n| over check points", "$\\max|u-E-Ku_n|$ over check points"}}};
+  const auto found = words.find(kind.name);
+  expects(found != words.end(), "an error with words", named("name", kind.name));
+  return found->second;
+}
+
 }  // namespace
 
-std::string in_words(const ErrorKind& kind) {
-  if (kind.name == "uniform_error") return "max |u - u_n| over a sample of S";
-  if (kind.name == "l2_error") return "|u - u_n| in L2(S)";
-  if (kind.name == "mean_error") return "max |mean of u - u_n| over the pieces";
-  if (kind.name == "iterated_error") return "max |u - E - K u_n| over check points";
-  return kind.name == "node_error" ? "max |u - u_n| over the nodes" : "max |K(I - P_n)u| over the nodes";
-}
+std::string in_words(const ErrorKind& kind) { return words_of(kind).plain; }
 
-std::string in_latex(const ErrorKind& kind) {
-  if (kind.name == "iterated_error") return "$\\max|u-E-Ku_n|$ over check points";
-  if (kind.name == "uniform_error") return "$\\max|u-u_n|$ over a sample of $S$";
-  if (kind.name == "l2_error") return "$\\|u-u_n\\|_{L^2(S)}$";
-  if (kind.name == "mean_error") return "the largest mean of $u-u_n$ over a piece";
-  return kind.name == "node_error" ? "$\\max|u-u_n|$ over the nodes" : "$\\max|K(I-P_n)u|$ over the nodes";
-}
+std::string in_latex(const ErrorKind& kind) { return words_of(kind).latex; }
 
 std::optional<PlotPoint> plot_point(double x, const std::optional<Approximation>& error) {
   if (!error || !std::isnormal(error->value) || error->value < 0) return std::nullopt;

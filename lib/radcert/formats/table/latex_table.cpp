@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <map>
 #include <utility>
+#include <variant>
 
 #include "radcert/core/contract.h"
 #include "radcert/formats/json/json_document.h"
 #include "radcert/formats/table/order_text.h"
 #include "radcert/scalar/enclosing_text.h"
+#include "radcert/study/errors/error_order.h"
 
 namespace radcert {
 
@@ -41,26 +45,68 @@ std::string order_text(const OrderFit& fit) {
   return "$" + fitted_order_text(fit, " \\pm ").value_or("") + "$";
 }
 
+/// Of every quantity of which an order is fitted.
 std::string symbol(const std::string& quantity) {
-  if (quantity == "iterated_error") return "$|u-E-Ku_n|$ over check points";
-  if (quantity == "u_n_error") return "$|u-u_n|$ over check points";
-  return quantity == "node_error" ? "$|u-u_n|$" : "$|K(I-P_n)u|$";
+  static const std::map<std::string, std::string> symbols = {
+      {"discretisation_error", "$|K(I-P_n)u|$"},
+      {"node_error", "$|u-u_n|$"},
+      {"l2_error", "$\\|u-u_n\\|_{L^2}$"},
+      {"mean_error", "means of $u-u_n$"},
+      {"iterated_error", "$|u-E-Ku_n|$ over check points"},
+      {"u_n_error", "$|u-u_n|$ over check points"}};
+  const auto found = symbols.find(quantity);
+  expects(found != symbols.end(), "an error with a symbol", named("quantity", quantity));
+  return found->second;
 }
 
-/// Level, unknowns, h, and of both errors the value and its observed order.
-std::vector<LatexColumn> level_heads() {
-  return {count_column("Level"), count_column("Unknowns"),
-          {"$h$", "r"},          error_column("{" + symbol("discretisation_error") + "}"),
-          order_column(),        error_column("{" + symbol("node_error") + "}"),
-          order_column()};
+bool is_galerkin(const Result& result) { return std::holds_alternative<Galerkin>(result.problem.method); }
+
+/// The errors of a table: at the nodes those of collocation, in means those that Galerkin's method is made
+/// for, which has no discretisation error.
+std::vector<ErrorKind> shown_errors(std::span<const Result> results) {
+  const auto is_shown = [&](const ErrorKind& kind) {
+    if (kind.name == "node_error") return true;
+    if (kind.name == "discretisation_error")
+      return results.empty() || !std::all_of(results.begin(), results.end(), is_galerkin);
+    if (kind.name == "l2_error" || kind.name == "mean_error")
+      return std::any_of(results.begin(), results.end(), is_galerkin);
+    return false;
+  };
+  std::vector<ErrorKind> shown;
+  std::copy_if(error_kinds().begin(), error_kinds().end(), std::back_inserter(shown), is_shown);
+  return shown;
 }
 
-void add_levels(LatexTable& table, const Result& result) {
-  for (const LevelResult& level : result.levels)
-    table.add(std::array{std::to_string(level.level), std::to_string(level.unknowns),
-                         fixed(level.mesh_size, 4), cell(level.discretisation_error),
-                         order_cell(level.discretisation_order), cell(level.node_error),
-                         order_cell(level.node_order)});
+/// Level, unknowns, h, and of each error the value and its observed order.
+std::vector<LatexColumn> level_heads(std::span<const ErrorKind> errors) {
+  std::vector<LatexColumn> heads = {count_column("Level"), count_column("Unknowns"), {"$h$", "r"}};
+  for (const ErrorKind& error : errors) {
+    heads.push_back(error_column("{" + symbol(error.name) + "}"));
+    heads.push_back(order_column());
+  }
+  return heads;
+}
+
+std::optional<double> order_at(const Result& result, std::size_t k, const ErrorKind& error) {
+  const LevelResult& now = result.levels[k];
+  if (error.name == "discretisation_error") return now.discretisation_order;
+  if (error.name == "node_error") return now.node_order;
+  if (k == 0) return std::nullopt;
+  const LevelResult& before = result.levels[k - 1];
+  return error_order(before.*error.figure, before.mesh_size, now.*error.figure, now.mesh_size);
+}
+
+void add_levels(LatexTable& table, const Result& result, std::span<const ErrorKind> errors) {
+  for (std::size_t k = 0; k < result.levels.size(); ++k) {
+    const LevelResult& level = result.levels[k];
+    std::vector<std::string> row = {std::to_string(level.level), std::to_string(level.unknowns),
+                                    fixed(level.mesh_size, 4)};
+    for (const ErrorKind& error : errors) {
+      row.push_back(cell(level.*error.figure));
+      row.push_back(order_cell(order_at(result, k, error)));
+    }
+    table.add(row);
+  }
 }
 
 /// "2--5", "0, 2, 3".
@@ -82,15 +128,24 @@ std::string fit_text(const OrderFit& fit) {
 
 bool has_fit(const OrderFit& fit) { return fit.order || fit.pre_asymptotic.size() > 1; }
 
-constexpr std::string_view about_errors =
-    "Errors are maxima over the nodes; EOC is the observed order in $h$";
+void add_about_errors(LatexTable& table, std::span<const ErrorKind> errors) {
+  const std::string maxima = "Errors are maxima over the nodes";
+  const std::string order = "EOC is the observed order in $h$;";
+  if (errors.back().name == "mean_error") {
+    table.add_line(maxima + ", norms in $L^2(S)$ and the largest of the means over pieces;");
+    table.add_line(order);
+  } else {
+    table.add_line(maxima + "; " + order);
+  }
+  table.add_line(std::string(in_parentheses) + ".");
+}
 
 std::string errors_latex(const Result& result) {
-  LatexTable table(level_heads());
-  add_levels(table, result);
+  const std::vector<ErrorKind> errors = shown_errors({&result, 1});
+  LatexTable table(level_heads(errors));
+  add_levels(table, result, errors);
   table.add_rule();
-  table.add_line(std::string(about_errors) + ";");
-  table.add_line(std::string(in_parentheses) + ".");
+  add_about_errors(table, errors);
   for (const OrderFit& fit : result.orders)
     if (has_fit(fit)) table.add_line("Fitted order of " + fit_text(fit));
   return table.text();
@@ -228,20 +283,20 @@ std::string combinations_latex(const Experiment& experiment, std::span<const Res
   constexpr std::size_t most_rows_of_a_page = 36;
   std::size_t rows = 0;
   for (const Result& result : results) rows += result.levels.size() + 2;
-  LatexTable table(level_heads(), rows > most_rows_of_a_page);
+  const std::vector<ErrorKind> errors = shown_errors(results);
+  LatexTable table(level_heads(errors), rows > most_rows_of_a_page);
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (results[i].levels.empty()) continue;
     if (i > 0) table.add_rule();
     table.add_paragraph("\\textit{" + latex_escaped(experiment.combinations[i].name) + "}");
-    add_levels(table, results[i]);
+    add_levels(table, results[i], errors);
     std::string orders;
     for (const OrderFit& fit : results[i].orders)
       if (has_fit(fit)) orders += (orders.empty() ? "Fitted order of " : "; of ") + fit_text(fit);
     if (!orders.empty()) table.add_paragraph(orders);
   }
   table.add_rule();
-  table.add_line(std::string(about_errors) + ";");
-  table.add_line(std::string(in_parentheses) + ".");
+  add_about_errors(table, errors);
   return table.text();
 }
 
