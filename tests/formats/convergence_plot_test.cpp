@@ -67,6 +67,18 @@ TEST(ConvergencePlot, TakesTheFittedOrderWhereThereIsOne) {
   EXPECT_NEAR(*curve(plot, "discretisation_error").exponent, 2, 1e-12);
 }
 
+TEST(ConvergencePlot, FitsNoNoise) {
+  // Over the sample, of which no radius is known, the last two levels are what has moved u_n.
+  auto given = levels(5, 4, 2);
+  for (LevelResult& level : given)
+    level.uniform_error = Approximation::without_radius(std::max(level.discretisation_error->value, 0.012));
+  for (LevelResult& level : given) level.node_error->radius = 1e-3;
+  const PlotCurve& curve = ::radcert::curve(plot_of("t", given), "uniform_error");
+  EXPECT_EQ(curve.points.size(), 5U);
+  EXPECT_NEAR(*curve.exponent, 2, 1e-12);
+  EXPECT_TRUE(curve.fit.ends_with("from 3 levels")) << curve.fit;
+}
+
 TEST(SlopeTriangles, HaveTheSlopeOfTheirCurveAndLieOnItsFreeSide) {
   const Plot plot = plot_of("t", levels(4, 4, 2));
   const auto triangles = slope_triangles(plot);

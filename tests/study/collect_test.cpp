@@ -129,7 +129,22 @@ TEST(Collect, LeavesOutAndNamesALevelWhoseRadiusExceedsFivePercent) {
   EXPECT_EQ(result.orders[0].left_out, std::vector<int>{2});
   EXPECT_NEAR(result.orders[0].order.value(), 2, 1e-14);  // the outlier had no say
   EXPECT_EQ(result.orders[1].left_out, std::vector<int>{});
-  EXPECT_NE(result.levels[2].discretisation_ratio, std::nullopt);  // the table keeps its ratio
+  // Nor is there a ratio of it, from either side.
+  EXPECT_NE(result.levels[1].discretisation_ratio, std::nullopt);
+  for (const std::size_t k : {2U, 3U}) {
+    EXPECT_EQ(result.levels[k].discretisation_ratio, std::nullopt);
+    EXPECT_EQ(result.levels[k].discretisation_order, std::nullopt);
+    EXPECT_NE(result.levels[k].node_ratio, std::nullopt);
+  }
+}
+
+TEST(Collect, HasNoOrdersOfNoise) {
+  // 1e-15 and 7e-16, of which all digits are rounding.
+  const Result result =
+      collect(sample_problem("sphere"), {level(0, 1e-15, 1e-15, 150), level(1, 7e-16, 7e-16, 400)}, {});
+  EXPECT_EQ(result.levels[1].discretisation_ratio, std::nullopt);
+  EXPECT_EQ(result.levels[1].node_order, std::nullopt);
+  EXPECT_EQ(result.orders[0].order, std::nullopt);
 }
 
 TEST(Collect, LeavesOutErrorsThatAreZeroOrHaveNoRadius) {

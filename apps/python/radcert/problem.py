@@ -287,7 +287,8 @@ class Solution:
         return {piece: Approximations(*mean) for piece, mean in self._solution.means().items()}
 
     def eoc(self, error: str = "node_error") -> np.ndarray:
-        """The observed order of convergence between each level and the one before: (k,) floats, the first is NaN."""
+        """The observed order of convergence between each level and the one before: (k,) floats, the first is NaN, and so are
+        those of errors whose radius exceeds 5 % of them."""
         return self._solution.orders(error)
 
     @property

@@ -17,8 +17,6 @@ std::optional<Approximation> u_n_error(const LevelResult& level) {
   return level.iterated ? level.iterated->u_n_error : std::nullopt;
 }
 
-constexpr double largest_relative_radius = 0.05;
-
 /// The power law through the levels whose figures are trustworthy, from `fit_from` on, else from where the
 /// slopes are steady. Two levels meet every power law: no spread.
 OrderFit fit(const std::string& quantity, const Figure& figure, const std::vector<LevelResult>& levels,
@@ -28,9 +26,7 @@ OrderFit fit(const std::string& quantity, const Figure& figure, const std::vecto
   for (const LevelResult& level : levels) {
     const std::optional<Approximation> e = figure(level);
     if (!e) continue;
-    const bool trustworthy =
-        e->value > 0 && std::isfinite(e->value) && e->radius <= largest_relative_radius * e->value;
-    if (!trustworthy) {
+    if (!stands_above_radius(*e)) {
       result.left_out.push_back(level.level);
     } else if (fit_from && level.level < *fit_from) {
       result.pre_asymptotic.push_back(level.level);

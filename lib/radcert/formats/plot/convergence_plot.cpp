@@ -7,6 +7,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/formats/table/order_text.h"
+#include "radcert/study/error_order.h"
 
 namespace radcert {
 
@@ -24,16 +25,29 @@ PlotAxis axis_of(ErrorAgainst against) {
                                             : PlotAxis{.name = "unknowns", .latex = "unknowns $N$"};
 }
 
+/// Whether an error is no more than what has moved u_n: by its radius, or by that of u_n at the nodes where
+/// it has none, as over a sample.
+bool is_noise(const LevelResult& level, Approximation error) {
+  if (!error.has_radius() && level.node_error) error.radius = level.node_error->radius;
+  return error.has_radius() && !stands_above_radius(error);
+}
+
 /// The fit of an error; of one that is not among the fits, over those of its levels whose slopes are steady.
-OrderFit order_of(const ErrorHistory& problem, const ErrorKind& kind, std::span<const PlotPoint> points,
-                  ErrorAgainst against) {
+OrderFit order_of(const ErrorHistory& problem, const ErrorKind& kind, ErrorAgainst against) {
   for (const OrderFit& fit : problem.orders)
     if (fit.quantity == kind.name) return fit;
   OrderFit fit{.quantity = kind.name, .order = {}, .halfwidth = {}, .levels = {}, .left_out = {}};
   std::vector<CostPoint> curve;
-  for (const PlotPoint& at : points) curve.push_back({at.x, at.y});
-  for (const LevelResult& level : problem.levels)
-    if (plot_point(abscissa(level, against), level.*kind.figure)) fit.levels.push_back(level.level);
+  for (const LevelResult& level : problem.levels) {
+    const auto at = plot_point(abscissa(level, against), level.*kind.figure);
+    if (!at) continue;
+    if (is_noise(level, *(level.*kind.figure))) {
+      fit.left_out.push_back(level.level);
+      continue;
+    }
+    fit.levels.push_back(level.level);
+    curve.push_back({at->x, at->y});
+  }
   const AsymptoticLaw found = asymptotic_law(curve);
   const auto first = fit.levels.begin() + static_cast<std::ptrdiff_t>(found.from);
   fit.pre_asymptotic.assign(fit.levels.begin(), first);
@@ -61,7 +75,7 @@ PlotCurve curve_of(std::string name, const ErrorHistory& problem, const ErrorKin
   PlotCurve curve{.name = std::move(name)};
   for (const LevelResult& level : problem.levels)
     if (const auto at = plot_point(abscissa(level, against), level.*kind.figure)) curve.points.push_back(*at);
-  const OrderFit fit = order_of(problem, kind, curve.points, against);
+  const OrderFit fit = order_of(problem, kind, against);
   curve.fit = order_text(fit);
   if (fit.order) curve.exponent = sign_of(against) * *fit.order;
   return curve;

@@ -34,7 +34,8 @@ struct ErrorHistory {
 
 /// An error of several problems against the mesh size or the unknowns, both logarithmic.
 /// Maths     errors of `kind`; the order is the exponent of h, or minus that of N, by `orders`; by
-///           asymptotic_law where the kind is not among them
+///           asymptotic_law where the kind is not among them, over the levels that stand above their radius,
+///           or above that of u_n at the nodes where they have none
 /// Requires  levels ascending, orders as collect() fits them
 /// Result    a curve for each problem with a positive error at two levels or more, its order in words, its
 ///           number that of the problem: the plots of several errors show it alike
