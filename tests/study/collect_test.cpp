@@ -167,6 +167,18 @@ TEST(Collect, HasNoOrderOfOneLevel) {
   EXPECT_EQ(result.orders[0].levels, std::vector<int>{2});
 }
 
+TEST(Collect, HasNoSpreadOfTwoLevels) {
+  // One slope: that all slopes are within 0 of it says nothing.
+  for (const std::optional<int> from : {std::optional<int>(), std::optional(1)}) {
+    Problem problem = sample_problem("sphere");
+    problem.fit_from = from;
+    for (const OrderFit& fit : collect(problem, powers(from.value_or(0), from.value_or(0) + 1), {}).orders) {
+      EXPECT_TRUE(fit.order.has_value());
+      EXPECT_EQ(fit.halfwidth, std::nullopt);
+    }
+  }
+}
+
 TEST(Collect, FitsNothingForAGivenEmission) {
   LevelResult coarse;
   LevelResult fine;

@@ -126,11 +126,6 @@ OrderFit measured(const Problem& problem, std::uint64_t memory, StoredLevels& le
   return {};
 }
 
-/// Two levels have one slope, and no spread.
-std::optional<double> halfwidth(const OrderFit& fit) {
-  return fit.levels.size() > 2 ? fit.halfwidth : std::nullopt;
-}
-
 struct Row {
   KnownNodes nodes;
   std::vector<OrderFit> measured;  ///< by surface
@@ -169,7 +164,7 @@ std::string csv_of(const std::vector<Row>& rows, const BasisSearchOptions& searc
                                  orders.smooth_kernel};
     for (const OrderFit& fit : row.measured) {
       cells.push_back(finite_or_null(fit.order));
-      cells.push_back(finite_or_null(halfwidth(fit)));
+      cells.push_back(finite_or_null(fit.halfwidth));
       cells.emplace_back(levels_text(fit.levels));
     }
     cells.emplace_back(file_name(search, facts.degree));
@@ -181,8 +176,8 @@ std::string csv_of(const std::vector<Row>& rows, const BasisSearchOptions& searc
 std::string order_cell(const OrderFit& fit) {
   if (!fit.order || !std::isfinite(*fit.order)) return "-";
   std::string out = nearest_text(*fit.order, DecimalForm::fixed(2));
-  if (const std::optional<double> half = halfwidth(fit); half && std::isfinite(*half))
-    out += " +- " + upper_text(*half, DecimalForm::fixed(2));
+  if (fit.halfwidth && std::isfinite(*fit.halfwidth))
+    out += " +- " + upper_text(*fit.halfwidth, DecimalForm::fixed(2));
   return out;
 }
 

@@ -42,7 +42,7 @@ OrderFit fit(const std::string& quantity, const Figure& figure, const std::vecto
   result.levels.erase(result.levels.begin(), first);
   if (found.law) {
     result.order = found.law->exponent;
-    result.halfwidth = found.law->halfwidth.value_or(0);
+    result.halfwidth = found.law->halfwidth;
   }
   return result;
 }

@@ -82,9 +82,9 @@ struct OrderFit {
   /// iterated solution "iterated_error" and "u_n_error" too
   std::string quantity;
   std::optional<double> order;
-  std::optional<double> halfwidth;
-  std::vector<int> levels;    ///< that took part
-  std::vector<int> left_out;  ///< whose radius exceeds 5 % of their error
+  std::optional<double> halfwidth;  ///< absent with two levels, which have one slope
+  std::vector<int> levels;          ///< that took part
+  std::vector<int> left_out;        ///< whose radius exceeds 5 % of their error
   /// Coarser than those that took part: before the problem's fit_from, or with slopes that are not steady yet
   std::vector<int> pre_asymptotic = {};
   std::string model = "h^p";
