@@ -10,6 +10,7 @@
 
 #include "radcert/expression/parse.h"
 #include "radcert/meshless/sampling.h"
+#include "radcert/scalar/rational.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
 
 namespace radcert {
@@ -108,6 +109,35 @@ TEST(InterpolationSystem, RefusesVectorsOfAnotherSize) {
   const auto system = InterpolationSystem::make(RadialBasis::make(sites, lehtinen_basis()).value());
   ASSERT_TRUE(system) << system.reason();
   EXPECT_THROW(static_cast<void>(system->solve(std::vector<double>(3))), ContractViolation);
+}
+
+TEST(InterpolationSystem, KnowsWhatItsCoefficientsLeave) {
+  const SiteSet sites = poisson_disk_sites(sphere(), {0.4, 1}).value();
+  for (const RadialBasisChoice& choice : choices()) {
+    const RadialBasis basis = RadialBasis::make(sites, choice).value();
+    const auto system = InterpolationSystem::make(basis);
+    ASSERT_TRUE(system);
+    std::vector<double> c(sites.size());
+    for (std::size_t j = 0; j < c.size(); ++j) c[j] = 1e6 * std::cos(static_cast<double>(j * j));
+    std::vector<double> f(sites.size());
+    for (std::size_t i = 0; i < f.size(); ++i) f[i] = std::sin(static_cast<double>(i));
+    const std::vector<double> residual = system->residual(c, f);
+    const std::vector<double> sizes = system->term_sizes(c);
+    BasisValues row;
+    for (std::size_t i = 0; i < f.size(); ++i) {
+      ASSERT_TRUE(basis.evaluate(sites[i], row));
+      Rational left = Rational::exactly(f[i]);
+      Rational size = 0;
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        const Rational term = Rational::exactly(row.values()[k]) * Rational::exactly(c[row.sites()[k]]);
+        left -= term;
+        size += abs(term);
+      }
+      const double of_sum = static_cast<double>(row.size() + 2) * 0x1p-63 * size.to_double();
+      EXPECT_NEAR(residual[i], left.to_double(), of_sum + 0x1p-52 * abs(left).to_double());
+      EXPECT_NEAR(sizes[i], size.to_double(), 1e-13 * size.to_double());
+    }
+  }
 }
 
 }  // namespace

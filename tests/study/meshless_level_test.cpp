@@ -149,6 +149,30 @@ TEST(MeshlessLevel, HasTheSolutionAtTheSitesWhereTheInterpolationIsSolved) {
   EXPECT_LT(result.node_error->value, 0.02);
 }
 
+TEST(MeshlessLevel, CountsWhatIllConditionedInterpolationLeaves) {
+  // With rho = 0 the interpolant of u is u at the sites: what is seen there is rounding alone, of smooth
+  // elements of which dozens overlap.
+  Meshless basis = own("exp(-r^2/2)", std::nullopt);
+  basis.basis.normalise = Normalisation::none;
+  basis.basis.radius.neighbour = 60;
+  basis.coefficients = CoefficientRule::interpolated;
+  basis.weights = WeightRule::mean_density;
+  basis.sites = PoissonDiskLevels{.separation = Rational(1, 3)};
+  for (const char* solver : {"direct", "neumann"}) {
+    Problem problem = meshless(basis);
+    problem.reflectivity = everywhere("0");
+    problem.solution = everywhere("exp(x)");
+    problem.solver.name = solver;
+    const OperatorRoute nothing = [](const Surface&, const SurfaceFunction&) {
+      return [](const SurfacePoint<double>&) { return Approximation{0, 0}; };
+    };
+    const Approximation error = *solve_level(problem, 0, nothing).result.node_error;
+    EXPECT_GT(error.value, 1e-12) << solver;
+    EXPECT_LE(error.value, error.radius) << solver;
+    EXPECT_LT(error.radius, 1e-3) << solver;
+  }
+}
+
 TEST(MeshlessLevel, IsTheSameForAnyNumberOfThreads) {
   const Problem problem =
       with_emission(meshless(with_sites(MeshlessFamily::lehtinen, UniformLevels{.count = 150})), "1 + x");

@@ -102,6 +102,26 @@ void InterpolationSystem::solve_columns(Matrix<double>& matrix) const {
   });
 }
 
+std::vector<double> InterpolationSystem::residual(std::span<const double> c,
+                                                  std::span<const double> f) const {
+  const SparseMatrix& a = parts_->matrix;
+  expects(static_cast<Eigen::Index>(f.size()) == a.rows() && f.size() == c.size(), "a value for each site",
+          named("values", f.size()), named("coefficients", c.size()));
+  std::vector<long double> left(f.begin(), f.end());
+  for (Eigen::Index j = 0; j < a.outerSize(); ++j)
+    for (SparseMatrix::InnerIterator at(a, j); at; ++at)
+      left[static_cast<std::size_t>(at.row())] -=
+          static_cast<long double>(at.value()) * c[static_cast<std::size_t>(j)];
+  return {left.begin(), left.end()};
+}
+
+std::vector<double> InterpolationSystem::term_sizes(std::span<const double> c) const {
+  const SparseMatrix& a = parts_->matrix;
+  expects(static_cast<Eigen::Index>(c.size()) == a.rows(), "a coefficient for each site",
+          named("coefficients", c.size()));
+  return numbers(a.cwiseAbs() * vector(c).cwiseAbs());
+}
+
 // The 1-norm of the inverse: |A^-1 x|_1 is convex, so its maximum over the unit ball is at a corner e_j; the
 // gradient shows which.
 double InterpolationSystem::condition() const {

@@ -29,6 +29,11 @@ public:
   /// A^-1 M in place of M, on all threads; the bits do not depend on their number. ContractViolation unless M
   /// has n rows.
   void solve_columns(Matrix<double>& matrix) const;
+  /// What coefficients leave of values: f_i - sum_j a_ij c_j, summed in long double, so that its own error is
+  /// below a thousandth of the rounding of such a sum in double.
+  [[nodiscard]] std::vector<double> residual(std::span<const double> c, std::span<const double> f) const;
+  /// sum_j |a_ij| |c_j| at each site, rounded: by what parts of it roundings change values.
+  [[nodiscard]] std::vector<double> term_sizes(std::span<const double> c) const;
   /// An estimate, from below, of the condition in the 1-norm, |A| |A^-1|: Hager (1984), Higham (1988).
   [[nodiscard]] double condition() const;
 

@@ -102,8 +102,8 @@ void check(const Problem& problem, const Meshless& method, const Surface& surfac
 ///           reach, at /reflectivity for an albedo from 1; AccuracyNotReached where the reflections would
 ///           grow; Interrupted when asked to stop
 /// Limits    radii are estimates, of the route, of integrated weights as if their errors were independent,
-///           and of the solver. On an open surface norm_K is an estimate from the point lights, at most the
-///           largest reflectivity
+///           of the solver, of what interpolation leaves at the sites, and of the sums there. On an open
+///           surface norm_K is an estimate from the point lights, at most the largest reflectivity
 [[nodiscard]] LevelOutcome solve(const Problem& problem, const Meshless& method, int level,
                                  const OperatorRoute& route);
 

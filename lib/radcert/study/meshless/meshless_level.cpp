@@ -13,6 +13,9 @@
 #include "radcert/meshless/sampling.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/direct.h"
+#include "radcert/solve/product.h"
+#include "radcert/solve/rounding/accurate_dot.h"
+#include "radcert/solve/rounding/rounding.h"
 #include "radcert/study/collocation/level_geometry.h"
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/collocation/operator_norm.h"
@@ -40,6 +43,12 @@ double largest(std::span<const double> values) {
   double size = 0;
   for (const double value : values) size = std::max(size, std::abs(value));
   return size;
+}
+
+std::vector<double> sizes(std::span<const double> values) {
+  std::vector<double> out;
+  for (const double value : values) out.push_back(std::abs(value));
+  return out;
 }
 
 std::string text_of(const Vector<double>& p) {
@@ -187,6 +196,9 @@ private:
       const DirectSolver solver(series.matrix());
       coefficients_ = solver.solve(epsilon);
       growth = solver.inverse_norm();
+      std::vector<double> residual(epsilon.size());
+      accurate_residual(series.matrix(), coefficients_, epsilon, residual);
+      system_error = growth * largest(residual);
     } else {
       const std::optional<double> tolerance =
           problem_.solver.tolerance ? std::optional(problem_.solver.tolerance->to_double()) : std::nullopt;
@@ -204,24 +216,43 @@ private:
       system_error = solution->error_bound;
     }
     outcome_.timing.solve_seconds = watch.seconds();
-    look_at_sites(growth, system_error);
+    look_at_sites(growth, system_error, interpolation_defect(series.matrix(), epsilon));
+  }
+
+  /// What interpolation leaves of the values at the sites: of E, for which it is looked at, and of what R
+  /// makes of the coefficients, whose columns are solved with the same factors: as much as a sum in double
+  /// may.
+  [[nodiscard]] double interpolation_defect(const Matrix<double>& r, std::span<const double> epsilon) const {
+    if (!system_) return 0;
+    std::vector<double> reflected(epsilon.size());
+    multiply_sizes(r, sizes(coefficients_), reflected);
+    for (std::size_t j = 0; j < reflected.size(); ++j) reflected[j] += std::abs(epsilon[j]);
+    return largest(system_->residual(epsilon, emission_)) + static_cast<double>(epsilon.size()) *
+                                                                unit_roundoff<double>() *
+                                                                largest(system_->term_sizes(reflected));
   }
 
   /// u_n at the sites, and how far off it is.
-  void look_at_sites(double growth, double system_error) {
+  void look_at_sites(double growth, double system_error, double interpolation_defect) {
     double row_sum = 0;
+    double evaluation = 0;  // the roundings of the sums below
     BasisValues room;
     for (const CollocationPoint<double>& node : nodes_) {
       u_n_.push_back(value_at(node, room));
       double sum = 0;
-      for (const double value : room.values()) sum += std::abs(value);
+      double terms = 0;
+      for (std::size_t k = 0; k < room.size(); ++k) {
+        sum += std::abs(room.values()[k]);
+        terms += std::abs(room.values()[k] * coefficients_[room.sites()[k]]);
+      }
       row_sum = std::max(row_sum, sum);
+      evaluation = std::max(evaluation, rounding_of_sums(room.size()) * terms);
     }
     if (!problem_.solution) return;
     // Where the coefficients are the values, an error of a value passes through the elements once more.
     const double smoothing = system_ ? 1 : row_sum;
-    const double defect = emission_radius_ + weight_effect_ * largest(coefficients_);
-    const double radius = smoothing * growth * defect + row_sum * system_error;
+    const double defect = emission_radius_ + weight_effect_ * largest(coefficients_) + interpolation_defect;
+    const double radius = smoothing * growth * defect + row_sum * system_error + evaluation;
     double error = 0;
     for (std::size_t i = 0; i < u_.size(); ++i) error = std::max(error, std::abs(u_[i] - u_n_[i]));
     outcome_.result.node_error = Approximation::estimated(error, radius);
