@@ -5,6 +5,28 @@
 
 namespace radcert::verification::psg10 {
 
+Vector<Rational> ExactSites::normal_within(const Rational& least) {
+  constexpr long chances = 1L << 30;
+  for (;;) {
+    const Rational s(below(129) - 64, 64);
+    const Rational t(below(129) - 64, 64);
+    const Rational q = s * s + t * t;
+    const Rational scale = Rational(1) / (Rational(1) + q);
+    const Vector<Rational> normal{Rational(2) * s * scale, Rational(2) * t * scale,
+                                  (Rational(1) - q) * scale};
+    if (least < normal.z && Rational(below(chances), chances) < scale * scale) return normal;
+  }
+}
+
+Vector<Rational> ExactSites::point_of_disk(long radius) {
+  for (;;) {
+    const Rational x = eighths(radius);
+    const Rational y = eighths(radius);
+    const Rational square = x * x + y * y;
+    if (square.sign() > 0 && square <= Rational(radius * radius)) return {x, y, 0};
+  }
+}
+
 std::vector<Site<Rational>> ExactSites::several_on_axis(std::size_t count) {
   std::vector<Site<Rational>> sites;
   for (std::size_t i = 0; i < count; ++i) {

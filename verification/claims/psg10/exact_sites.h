@@ -32,6 +32,14 @@ public:
     const Rational scale = Rational(1) / (Rational(1) + q);
     return {Rational(2) * s * scale, Rational(2) * t * scale, (Rational(1) - q) * scale};
   }
+  /// A normal whose cosine with e_z exceeds `least`, uniform on that cap of the sphere but for a grid.
+  /// Maths     multiples of 1/64 as stereographic coordinates (s, t), taken with the probability (1 + s^2 +
+  ///           t^2)^-2, to which the area that they stand for on the sphere is proportional
+  /// Requires  0 <= least < 1
+  Vector<Rational> normal_within(const Rational& least);
+  /// A point of the plane z = 0, uniform in the disk of this radius about 0 but for the grid of eighths, and
+  /// not its centre.
+  Vector<Rational> point_of_disk(long radius);
   /// Sites at the places 0, 1, ..., count - 1 of the x-axis, moved by up to 3/8, with the normal e_z.
   std::vector<Site<Rational>> several_on_axis(std::size_t count);
 
