@@ -28,6 +28,7 @@
 #include <numbers>
 #include <numeric>
 #include <string>
+#include <utility>
 
 #include "radcert/enclosure/interval_integral.h"
 #include "radcert/meshless/sampling.h"
@@ -310,11 +311,17 @@ Finding section_7_plane_integral(const Bench&) {
   return finding;
 }
 
+/// Of what falls like the share of a rim, between two separations: nearer to 1 than to 0 or 2. Two of them
+/// give no interval for an order; the radius is that of the spread over sets of sites.
+const LiesIn like_a_rim{.least = Rational(1, 2), .largest = Rational(3, 2)};
+
 Finding section_7_plane_integral_scene(const Bench& bench) {
-  const Order of_rim = Order::is(1);
-  const Order at_least = Order::at_least(1);  // curved parts alone like the square
   constexpr double coarse = 1.5;
   const Separation fine = finest_separation(bench);
+  // Curved parts alone fall like the square.
+  const AtMost at_least_so{.value = std::sqrt(fine.value / coarse),
+                           .slack = 0,
+                           .why = "the exponent 1/2 between the two separations"};
   // The quotients of two sets of sites of a separation.
   struct Quotients {
     std::vector<double> disk;
@@ -331,19 +338,30 @@ Finding section_7_plane_integral_scene(const Bench& bench) {
   };
   const Quotients at_coarse = quotients_at(coarse);
   const Quotients at_fine = quotients_at(fine.value);
-  const auto order = [&](std::vector<double> Quotients::*part, double over) {
+  const auto excesses = [&](std::vector<double> Quotients::*part, double over) {
     const Approximation limit = Approximation::exact(over);
-    return ObservedOrder{.exponent = order_of_excess(mean_excess(at_coarse.*part, limit),
-                                                     mean_excess(at_fine.*part, limit), coarse / fine.value)};
+    return std::pair(mean_excess(at_coarse.*part, limit), mean_excess(at_fine.*part, limit));
+  };
+  const auto exponent = [&](std::vector<double> Quotients::*part, double over) {
+    const auto [before, now] = excesses(part, over);
+    return order_of_excess(before, now, coarse / fine.value);
+  };
+  const auto part_left = [&](std::vector<double> Quotients::*part, double over) {
+    const auto [before, now] = excesses(part, over);
+    const double value = now.value / before.value;
+    return Approximation::estimated(
+        value, std::abs(value) * (before.radius / before.value + now.radius / std::abs(now.value)));
   };
   const std::string of = ", from separation 3/2 to " + fine.words;
   Finding finding;
-  finding.require("order of (c alpha^2 over w_j) - 1, Gauss, the disk" + of, of_rim,
-                  order(&Quotients::disk, 1));
-  finding.control("order of c alpha^2 over w_j itself, the disk", of_rim, order(&Quotients::disk, 0));
-  finding.require("order of (c alpha^2 over w_j) - 1, Gauss, the sphere" + of, at_least,
-                  order(&Quotients::sphere, 1));
-  finding.control("order of c alpha^2 over w_j itself, the disk", at_least, order(&Quotients::disk, 0));
+  finding.require("exponent of (c alpha^2 over w_j) - 1, Gauss, the disk" + of, like_a_rim,
+                  exponent(&Quotients::disk, 1));
+  finding.control("exponent of c alpha^2 over w_j itself, the disk", like_a_rim,
+                  exponent(&Quotients::disk, 0));
+  finding.require("part that is left of (c alpha^2 over w_j) - 1, Gauss, the sphere" + of, at_least_so,
+                  part_left(&Quotients::sphere, 1));
+  finding.control("part that is left of c alpha^2 over w_j itself, the disk", at_least_so,
+                  part_left(&Quotients::disk, 0));
   finding.remark("(c alpha^2 over w_j) - 1, the disk, separation " + fine.words,
                  mean_excess(at_fine.disk, Approximation::exact(1)));
   finding.remark("(c alpha^2 over w_j) - 1, the sphere, separation " + fine.words,
@@ -422,7 +440,6 @@ Finding section_7_estimate_scene(const Bench& bench) {
                             .value);
     return mean_excess(numbers, in_plane);
   };
-  const Order of_rim = Order::is(1);
   const Equals one{.value = 1, .slack = 0.1, .why = "a tenth, as on the plane"};
   const Approximation coarse = excess(3);
   const Separation finest = finest_separation(bench);
@@ -432,11 +449,10 @@ Finding section_7_estimate_scene(const Bench& bench) {
   finding.control("the same on the scene, separation 3, radii by (15)", one,
                   scene_ratio(sites_on_scene(1), SiteDistance::normal_sensitive, scene_area,
                               [](const Vector<double>&) { return true; }));
-  finding.require("order of what the scene has more, from separation 3 to " + finest.words, of_rim,
-                  ObservedOrder{.exponent = order_of_excess(coarse, fine, 3 / finest.value)});
-  finding.control(
-      "order of the sum itself", of_rim,
-      ObservedOrder{.exponent = order_of_excess(in_plane + coarse, in_plane + fine, 3 / finest.value)});
+  finding.require("exponent of what the scene has more, from separation 3 to " + finest.words, like_a_rim,
+                  order_of_excess(coarse, fine, 3 / finest.value));
+  finding.control("exponent of the sum itself", like_a_rim,
+                  order_of_excess(in_plane + coarse, in_plane + fine, 3 / finest.value));
   finding.remark("what the scene has more, separation " + finest.words, fine);
   return finding;
 }
