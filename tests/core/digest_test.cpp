@@ -9,7 +9,7 @@
 
 namespace {
 
-using radcert::digest_of, radcert::is_digest, radcert::sha256;
+using radcert::digest_of, radcert::is_digest, radcert::length_prefixed, radcert::sha256;
 
 // The examples that NIST publishes for SHA-256, and those of FIPS 180-2, appendix B.
 TEST(Sha256, IsThatOfTheStandard) {
@@ -66,6 +66,17 @@ TEST(Digest, TellsTextsApartThatA64BitHashDoesNot) {
     ASSERT_EQ(fnv1a(low + tail), fnv1a(high + tail));
     EXPECT_NE(digest_of(low + tail), digest_of(high + tail));
   }
+}
+
+TEST(LengthPrefixed, TellsListsApartWhateverTheirWordsHold) {
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(length_prefixed(Words{"a", "b, c"}), "1:a4:b, c");
+  const std::vector<Words> lists{{},         {""},         {"", ""},       {"a, b"},      {"a", "b"},
+                                 {"b", "a"}, {"a1:b"},     {"1:a", "1:b"}, {"1:a1:b"},    {"a", "1:b"},
+                                 {"ab"},     {"a\n", "b"}, {"a", "\nb"},   {"0:", "a1:"}, {"", "0:a1:"}};
+  std::set<std::string> seen;
+  for (const Words& words : lists) seen.insert(length_prefixed(words));
+  EXPECT_EQ(seen.size(), lists.size());
 }
 
 TEST(Digest, OfFilesSeesEveryPathEveryByteAndTheOrder) {

@@ -81,6 +81,20 @@ TEST(FactorScene, IdentityTellsReadingsApart) {
   EXPECT_EQ(identity({.space = true}), plain);
   EXPECT_NE(identity({.front = FrontRule::left_hand, .space = true}), plain);
   EXPECT_NE(identity({.repair = {"vertices"}, .space = true}), plain);
+  // Lists of groups whose words in one line are the same.
+  MeshFile file = file_of(open_cube());
+  file.group_names = {"a", "b", "a, b", "rest"};
+  for (std::size_t face = 0; face < file.group.size(); ++face)
+    file.group[face] = std::min<std::size_t>(face, 3);
+  const auto of_plates = [&](const std::vector<std::string>& two_sided) {
+    return factor_scene("sample", file, {.two_sided = two_sided, .space = true}, words).identity;
+  };
+  EXPECT_NE(of_plates({"a", "b"}), of_plates({"a, b"}));
+  // The same bytes may say something else in another format.
+  MeshFile other = file;
+  other.format = "another";
+  EXPECT_NE(factor_scene("sample", other, {.space = true}, words).identity,
+            factor_scene("sample", file, {.space = true}, words).identity);
 }
 
 TEST(FactorScene, OfACatalogueKnowsItsParameters) {

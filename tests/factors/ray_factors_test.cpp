@@ -149,6 +149,26 @@ TEST(RayFactors, HaveTheSameBitsForAnyThreadsAndFromTheStore) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(RayFactors, OfOtherUnitsAreNotTakenFromTheStore) {
+  const FacetScene scene(sample::room_with_two_boxes());
+  FactorUnits units;
+  units.names = {"room", "box", "other box"};
+  for (std::size_t t = 0; t < scene.facet_count(); ++t) units.of_triangle.push_back(t / 12);
+  FactorUnits others = units;  // as many rows
+  for (std::size_t t = 0; t < scene.facet_count(); ++t) others.of_triangle[t] = t % 3;
+  const RayDemand demand{.accuracy = 2e-2};
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "radcert_ray_units_test";
+  std::filesystem::remove_all(folder);
+  ResultStore store(folder);
+  static_cast<void>(ray_factors(scene, units, demand, {.key = "a test", .store = &store}));
+  const FactorMatrix kept = ray_factors(scene, others, demand, {.key = "a test", .store = &store});
+  const FactorMatrix fresh = ray_factors(scene, others, demand, {});
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      EXPECT_EQ(between(kept, i, j).value, between(fresh, i, j).value) << i << " " << j;
+  std::filesystem::remove_all(folder);
+}
+
 TEST(RayFactors, StopAtTheMostPointsWithTheRadiusReached) {
   const FacetScene scene(sample::cube_in_cube(0.25));
   const FactorUnits units = sample::by_face(scene.scene().mesh());

@@ -40,6 +40,12 @@ std::string digest_of(std::span<const EmbeddedFile> files) {
   return digest_of(lines);
 }
 
+std::string length_prefixed(std::span<const std::string> words) {
+  std::string out;
+  for (const std::string& word : words) out += std::to_string(word.size()) + ":" + word;
+  return out;
+}
+
 bool is_digest(std::string_view text) {
   if (!text.starts_with(digest_prefix)) return false;
   const std::string_view digits = text.substr(digest_prefix.size());

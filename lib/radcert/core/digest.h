@@ -34,6 +34,12 @@ namespace radcert {
 /// Limits    as sha256
 [[nodiscard]] std::string digest_of(std::span<const EmbeddedFile> files);
 
+/// Words as one text, by which they are told from all others whatever they hold: "1:a4:b, c".
+/// Maths     of each word the number of its bytes, a colon and itself
+/// Requires  nothing
+/// Result    exact: lists with one text are one list
+[[nodiscard]] std::string length_prefixed(std::span<const std::string> words);
+
 /// Whether a text has the form of digest_of.
 [[nodiscard]] bool is_digest(std::string_view text);
 

@@ -80,7 +80,7 @@ struct FactorMatrix {
 struct FactorProgress {
   /// Called between blocks of pairs with the fraction of pairs done.
   std::function<void(double)> at = [](double) {};
-  std::string key{};             ///< all that the numbers depend on; the demand is added
+  std::string key{};  ///< all that the scene depends on; demand, and units where they count, are added
   ResultStore* store = nullptr;  ///< finished blocks of pairs are kept there and not computed again
   /// Called with the factors of one row after the other; where it is set, FactorMatrix::entries stays empty.
   std::function<void(std::span<const ConfigurationFactor>)> row{};

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
+#include "radcert/core/digest.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/parallel.h"
 #include "radcert/core/text.h"
@@ -389,8 +390,15 @@ std::uint64_t grown(std::uint64_t points) {
   return static_cast<std::uint64_t>(std::ceil(growth * static_cast<double>(points)));
 }
 
-std::string count_key(const FactorProgress& progress, std::size_t row, std::uint64_t points) {
-  return progress.key + "\nrays of row " + std::to_string(row) + ", points " + std::to_string(points);
+/// Hits are counted by unit.
+std::string key_of(const FactorProgress& progress, const FactorUnits& units) {
+  std::string numbers;
+  for (const std::size_t unit : units.of_triangle) numbers += std::to_string(unit) + "\n";
+  return progress.key + "\nunits " + digest_of(numbers);
+}
+
+std::string count_key(const std::string& key, std::size_t row, std::uint64_t points) {
+  return key + "\nrays of row " + std::to_string(row) + ", points " + std::to_string(points);
 }
 
 std::string count_text(const RowCount& count) {
@@ -445,6 +453,7 @@ FactorMatrix ray_factors(const FacetScene& scene, const FactorUnits& units, cons
           named("units", units.of_triangle.size()));
   expects(demand.accuracy > 0, "accuracy > 0", named("accuracy", demand.accuracy));
   RayCounts counts(scene, units);
+  const std::string key_of_scene = key_of(progress, units);
   const std::vector<double> areas = unit_areas(scene, units);
   const std::size_t size = counts.size();
   std::vector<std::uint64_t> wanted(size, std::min(first_points, demand.most_points));
@@ -455,7 +464,7 @@ FactorMatrix ray_factors(const FacetScene& scene, const FactorUnits& units, cons
       throw_if_interrupted();
       if (counts.row(i).points == wanted[i]) continue;
       done += static_cast<double>(wanted[i] - counts.row(i).points);
-      const std::string key = count_key(progress, i, wanted[i]);
+      const std::string key = count_key(key_of_scene, i, wanted[i]);
       const auto kept = progress.store == nullptr ? std::nullopt : progress.store->get(key);
       if (!kept || !read_count(*kept, wanted[i], counts.row(i))) {
         counts.extend(i, wanted[i]);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "radcert/core/digest.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/geometry/orientation.h"
@@ -152,8 +153,9 @@ FactorScene factor_scene(const std::string& name, const MeshFile& file, const Fa
   const bool open = is_open(name, scene, front, !survey.front.encloses, choice.space, style);
   return {.mesh = std::move(mesh),
           .scene = std::move(scene),
-          .identity = survey.digest + " repair " + listed(choice.repair) + " front " + front + " two-sided " +
-                      listed(choice.two_sided),
+          .identity = length_prefixed(std::vector<std::string>{
+              "mesh", survey.digest, survey.format, length_prefixed(choice.repair), front,
+              length_prefixed(choice.two_sided), choice.space ? "open" : "closed"}),
           .mended = survey.mended,
           .remarks = survey.remarks,
           .front = front,

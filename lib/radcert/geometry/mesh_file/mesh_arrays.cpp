@@ -17,8 +17,7 @@ std::string_view bytes_of(const void* first, std::size_t length) {
 }
 
 std::string digest(const MeshArrays& arrays) {
-  std::string names;
-  for (const std::string& group : arrays.groups) names += std::to_string(group.size()) + ":" + group;
+  const std::string names = length_prefixed(arrays.groups);
   const EmbeddedFile parts[] = {
       {"points", bytes_of(arrays.coordinates.data(), arrays.coordinates.size_bytes())},
       {"triangles", bytes_of(arrays.triangles.data(), arrays.triangles.size_bytes())},
