@@ -81,6 +81,7 @@ TEST(FactorScene, IdentityTellsReadingsApart) {
   EXPECT_EQ(identity({.space = true}), plain);
   EXPECT_NE(identity({.front = FrontRule::left_hand, .space = true}), plain);
   EXPECT_NE(identity({.repair = {"vertices"}, .space = true}), plain);
+  EXPECT_NE(identity({.space = true, .degrees = 10}), plain);
   // Lists of groups whose words in one line are the same.
   MeshFile file = file_of(open_cube());
   file.group_names = {"a", "b", "a, b", "rest"};
@@ -95,6 +96,16 @@ TEST(FactorScene, IdentityTellsReadingsApart) {
   other.format = "another";
   EXPECT_NE(factor_scene("sample", other, {.space = true}, words).identity,
             factor_scene("sample", file, {.space = true}, words).identity);
+}
+
+TEST(FactorScene, PartsPiecesWhereNormalsMakeMoreThanTheAngle) {
+  const auto pieces = [](double degrees) {
+    return factor_scene("sample", file_of(sample::cube()), {.degrees = degrees}, words)
+        .mesh.piece_names.size();
+  };
+  EXPECT_EQ(pieces(default_sharp_degrees), 6U);
+  EXPECT_EQ(pieces(89), 6U);
+  EXPECT_EQ(pieces(91), 1U);
 }
 
 TEST(FactorScene, OfACatalogueKnowsItsParameters) {

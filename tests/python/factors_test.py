@@ -117,6 +117,12 @@ class FactorsOfScenes(ModuleTest):
         self.assertIn("sees nothing", str(caught[0].message) + str(caught[-1].message))
         self.assertIn("front right-hand", "".join(str(each.message) for each in caught))
 
+    def test_pieces_are_those_of_the_mesh(self):
+        for angle, count in ((30, 6), (91, 1)):
+            mesh = rc.Mesh(unit_cube(), angle=angle)
+            self.assertEqual(len(mesh.pieces), count)
+            self.assertEqual(mesh.factors(by="piece").names, [piece.name for piece in mesh.pieces])
+
     def test_finished_work_is_kept_and_gives_the_same_bits(self):
         mesh = rc.Mesh(unit_cube())
         first = mesh.factors(by="triangle", store=self.folder / "kept")

@@ -38,6 +38,7 @@ Factors of_mesh(const Mesh& mesh, const std::string& by, const std::optional<dou
   app::check(wish, !mesh.choice.two_sided.empty());
   FactorSceneChoice choice = mesh.choice;
   choice.space = space;
+  choice.degrees = mesh.angle.to_double();
   return compute(progress, [&](Progress& told) {
     return app::factors_of(factor_scene(mesh.name, mesh.file, choice, OptionStyle::argument), command,
                            mesh.name, wish, store, told);

@@ -9,7 +9,6 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/geometry/orientation.h"
-#include "radcert/hypotheses/mesh_survey.h"
 #include "radcert/visibility/scene.h"
 
 namespace radcert {
@@ -55,7 +54,7 @@ std::string missing_bottom(const MeshTopology& topology) {
 MeshSurvey sound_survey(const std::string& name, const MeshFile& file, const FactorSceneChoice& choice,
                         OptionStyle style) {
   const MeshRepair repair = repair_named(choice.repair);
-  MeshSurvey survey = survey_mesh(file, default_sharp_degrees, repair, choice.front, choice.two_sided);
+  MeshSurvey survey = survey_mesh(file, choice.degrees, repair, choice.front, choice.two_sided);
   if (!survey.defects.degenerate_triangles.empty()) {
     const auto corners = survey.mesh.corners(survey.defects.degenerate_triangles.front());
     throw InputError({.source = name,
@@ -66,7 +65,7 @@ MeshSurvey sound_survey(const std::string& name, const MeshFile& file, const Fac
   if (choice.two_sided.empty())
     require_scene(name, survey.mesh);
   else  // The backs are doubled triangles, which are no fault.
-    require_scene(name, survey_mesh(file, default_sharp_degrees, repair).mesh);
+    require_scene(name, survey_mesh(file, choice.degrees, repair).mesh);
   const std::string front = option_name(style, "front");
   if (survey.front.undecided && survey.topology.disagreeing_edges.empty())
     throw InputError({.source = name,
@@ -155,7 +154,7 @@ FactorScene factor_scene(const std::string& name, const MeshFile& file, const Fa
           .scene = std::move(scene),
           .identity = length_prefixed(std::vector<std::string>{
               "mesh", survey.digest, survey.format, length_prefixed(choice.repair), front,
-              length_prefixed(choice.two_sided), choice.space ? "open" : "closed"}),
+              length_prefixed(choice.two_sided), choice.space ? "open" : "closed", shortest(choice.degrees)}),
           .mended = survey.mended,
           .remarks = survey.remarks,
           .front = front,

@@ -9,6 +9,7 @@
 #include "radcert/factors/factor_mesh.h"
 #include "radcert/geometry/mesh_file/mesh_file.h"
 #include "radcert/hypotheses/front.h"
+#include "radcert/hypotheses/mesh_survey.h"
 #include "radcert/surface/surface.h"
 
 namespace radcert {
@@ -19,6 +20,7 @@ struct FactorSceneChoice {
   FrontRule front = FrontRule::automatic;   ///< where light travels
   std::vector<std::string> two_sided = {};  ///< groups that are plates: see survey_mesh
   bool space = false;                       ///< light may leave the scene
+  double degrees = default_sharp_degrees;   ///< where normals make more, two pieces meet
 };
 
 /// A scene of which factors can be taken.
