@@ -52,6 +52,22 @@ TEST(ProblemOf, TakesASurfaceThatStandsBesideTheDocument) {
   EXPECT_THROW(static_cast<void>(problem_of(whole, "sample", sample.surface)), InputError);
 }
 
+TEST(ProblemOf, ResolvesTheGradingWithTheMethodBesideTheDocument) {
+  const auto document = [](const std::string& basis) {
+    return parse_json(R"({"schema": "radcert/problem/1", "surface": {"name": "cube"}, "reflectivity": "1/2",
+        "triangulation": {"levels": [0], "grading": "edges"}, "emission": "1")" +
+                          basis + "}",
+                      "");
+  };
+  const JsonValue whole = document(R"(, "basis": {"family": "symmetric", "degree": 2})");
+  const Problem stated = problem_of(whole, "sample");
+  const JsonValue rest = document("");
+  EXPECT_EQ(problem_text(problem_of(rest, "sample", std::nullopt, stated.method)), problem_text(stated));
+  EXPECT_GT(stated.triangulation.grading, Rational(4));
+  EXPECT_THROW(static_cast<void>(problem_of(rest, "sample")), InputError);
+  EXPECT_THROW(static_cast<void>(problem_of(whole, "sample", std::nullopt, stated.method)), InputError);
+}
+
 /// The basis on triangles of a problem with this basis.
 TriangleBasisChoice triangle_basis_choice(const std::string& text) {
   return triangle_basis_of(parse_problem(with("basis", text), "").method);

@@ -38,6 +38,7 @@ class Classes(ModuleTest):
         options = {"front": "auto", "repair": [], "two_sided": [], "angle": 30, "unit": ""}
         document = {"schema": "radcert/nodes/1", "degree": 0, "nodes": [["1/3", "1/3", "1/3"]]}
         base = {key: PROBLEM[key] for key in ("surface", "triangulation", "reflectivity")}
+        beside = {key: value for key, value in PROBLEM.items() if key not in ("surface", "basis")}
         experiment = {"schema": "radcert/experiment/1", "name": "one", "base": {**base, "solution": "1"},
                       "vary": {"basis": [PROBLEM["basis"]]}}
         mesh = _core.Mesh.of_arrays("mesh", points, triangles, groups, **options)
@@ -87,7 +88,7 @@ class Classes(ModuleTest):
             "OwnChart.of_map": (_core.OwnChart.of_map, ["chart", square, None]),
             "SurfaceChoice.named": (_core.SurfaceChoice.named, [{"name": "cube"}]),
             "SurfaceChoice.of_mesh": (_core.SurfaceChoice.of_mesh, [mesh]),
-            "Problem.of_document": (_core.Problem.of_document, [PROBLEM, "problem", surface, nodes, {}, False]),
+            "Problem.of_document": (_core.Problem.of_document, [beside, "problem", surface, nodes, {}, False]),
             "Problem.read": (_core.Problem.read, [str(EXAMPLES / "01_solve" / "1_two_piece.json")]),
             "Problem.solve": (problem.solve, ["", None]),
             "Solution.error": (solution.error, ["node_error"]),

@@ -169,6 +169,14 @@ class Problems(ModuleTest):
         self.assertTrue(last.endswith("\n"))
         self.assertNotIn(".]", last)
 
+    def test_the_grading_of_edges_is_that_of_the_nodes(self):
+        graded = {basis.degree: rc.Problem("cube", basis=basis, reflectivity="1/2", emission=1, grading="edges").to_json()
+                  for basis in (rc.inset(0), rc.inset(2, "1/10"))}
+        nodes = rc.Problem("cube", basis=rc.Basis(nodes=rc.orbit(rc.Q(1, 6)) + rc.orbit(rc.Q(9, 20))), reflectivity="1/2",
+                           emission=1, grading="edges").to_json()
+        self.assertEqual(nodes["triangulation"], graded[2]["triangulation"])
+        self.assertNotEqual(nodes["triangulation"], graded[0]["triangulation"])
+
     def test_bounds_enclose_what_radii_say(self):
         values = self.room.solve([1], solver="verified")[0].values
         for value, radius, lower, upper in zip(*(map(rc.Q, each) for each in (values.value, values.radius, values.lower,

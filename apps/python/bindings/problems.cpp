@@ -33,8 +33,9 @@ PythonProblem problem_from(const py::object& document, const std::string& source
   if (surface != nullptr) chosen = *surface;
   PythonProblem out;
   out.source = source;
-  out.problem = compute(py::none(), [&](Progress&) { return problem_of(json, source, chosen); });
-  if (nodes != nullptr) triangle_basis_of(out.problem.method) = node_file_basis(*nodes->file, nodes->name);
+  std::optional<Method> method;
+  if (nodes != nullptr) method = Collocation{node_file_basis(*nodes->file, nodes->name)};
+  out.problem = compute(py::none(), [&](Progress&) { return problem_of(json, source, chosen, method); });
   with_source(source, [&] {
     const LinearSolver* solver = find_linear_solver(out.problem.solver.name);
     if (basis_by_functions && solver != nullptr && solver->proves())

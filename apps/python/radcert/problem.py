@@ -149,15 +149,15 @@ def _stated(surface, basis, reflectivity, solution, emission, levels, pattern, g
     if isinstance(basis, Basis):
         nodes = basis._nodes
         by_functions += ["basis"] * basis.by_functions
-        # The nodes stand beside the document, which needs a basis of triangles in their place.
-        document["basis"] = basis._document or {"family": "inset", "degree": 0}
-    else:
+        # Nodes stand beside the document.
+        basis = basis._document
+    if nodes is None:
         document["basis"] = basis
     # Functions stand beside the document too, which needs something in their places.
     functions = {}
-    if isinstance(document["basis"], dict) and _is_function(document["basis"].get("mother")):
-        functions["mother"] = document["basis"]["mother"]
-        document["basis"] = {**document["basis"], "mother": "exp(-r)"}
+    if isinstance(basis, dict) and _is_function(basis.get("mother")):
+        functions["mother"] = basis["mother"]
+        document["basis"] = {**basis, "mother": "exp(-r)"}
     if _is_function(solution):
         functions["solution"], solution = solution, "0"
     if _is_function(emission):

@@ -23,7 +23,8 @@ constexpr const char* schema = "radcert/problem/1";
 const Rational usual_galerkin_tolerance = Rational(1) / power(Rational(10), 9);
 
 Problem read(const JsonValue& document, const std::filesystem::path& folder,
-             const std::optional<SurfaceChoice>& surface = std::nullopt) {
+             const std::optional<SurfaceChoice>& surface = std::nullopt,
+             const std::optional<Method>& method = std::nullopt) {
   const JsonReader root(document);
   root.require_schema(schema, "an object: a problem");
   root.require_object({"schema", "surface", "triangulation", "geometry", "basis", "reflectivity", "solution",
@@ -40,8 +41,13 @@ Problem read(const JsonValue& document, const std::filesystem::path& folder,
   const std::vector<std::string> pieces = pieces_of(problem.surface);
   problem.triangulation = read_triangulation(root.at("triangulation", "an object with levels"), pieces);
   if (const auto geometry = root.find("geometry")) problem.geometry = read_geometry(*geometry);
-  problem.method = read_method(
-      root.at("basis", "an object with a family, see radcert list bases, or with a file"), folder);
+  if (const auto stated = root.find("basis"); method && stated)
+    stated->refuse("stands beside another basis", "one of them");
+  problem.method =
+      method
+          ? *method
+          : read_method(root.at("basis", "an object with a family, see radcert list bases, or with a file"),
+                        folder);
   problem.reflectivity = read_piecewise(root.at("reflectivity", "an expression, or one a piece"), pieces);
 
   const auto solution = root.find("solution");
@@ -107,9 +113,9 @@ Problem parse_problem(std::string_view text, const std::string& source) {
 }
 
 Problem problem_of(const JsonValue& document, const std::string& source,
-                   const std::optional<SurfaceChoice>& surface) {
-  return with_source(source,
-                     [&] { return read(document, std::filesystem::path(source).parent_path(), surface); });
+                   const std::optional<SurfaceChoice>& surface, const std::optional<Method>& method) {
+  return with_source(
+      source, [&] { return read(document, std::filesystem::path(source).parent_path(), surface, method); });
 }
 
 JsonValue problem_json(const Problem& problem) {

@@ -23,11 +23,14 @@ Problem read_problem(const std::filesystem::path& path);
 /// The same from a text; `source` names it in messages.
 Problem parse_problem(std::string_view text, const std::string& source);
 
-/// The same from a document of a program's own, whose surface may stand beside it.
-/// Requires  `surface` is checked: a name of the catalogue with admissible parameters, or a mesh
-/// Result    where `surface` is given, the document has no key `surface`; else as parse_problem
+/// The same from a document of a program's own, whose surface and method may stand beside it.
+/// Requires  `surface` is checked: a name of the catalogue with admissible parameters, or a mesh; `method`:
+///           one that read_method could have made
+/// Result    where `surface` is given, the document has no key `surface`, where `method` is, no key `basis`;
+///           else as parse_problem
 Problem problem_of(const JsonValue& document, const std::string& source,
-                   const std::optional<SurfaceChoice>& surface = std::nullopt);
+                   const std::optional<SurfaceChoice>& surface = std::nullopt,
+                   const std::optional<Method>& method = std::nullopt);
 
 /// A problem as JSON, every default written out.
 /// Maths     parse_problem(problem_text(p)) states the same problem as p
