@@ -7,12 +7,15 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "radcert/continuous/elements/local_values.h"
 #include "radcert/continuous/observer_cells.h"
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/residual_samples.h"
 #include "radcert/continuous/transport/cell_transport.h"
+#include "tests/continuous/memory.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {
@@ -25,6 +28,14 @@ constexpr double unit = unit_roundoff<double>();
 /// Of samples, where nothing is demanded.
 constexpr double loosest = 0.05;
 constexpr CellDemand no_demand{.interpolation = 1e30, .quadrature = 1e30, .shade = 1e30};
+
+class NoDemand final : public LargestDemand {
+public:
+  [[nodiscard]] double allowed(std::size_t /*element*/) const override { return 1e30; }
+  [[nodiscard]] bool may_be_strip(const Sector& /*sector*/, const SectorBox& /*box*/) const override {
+    return false;
+  }
+};
 
 /// A trial whose w are E + rho q for functions that the test chooses.
 struct Chosen {
@@ -94,6 +105,39 @@ std::array<ObserverCell, 2> two_cells(const Chosen& chosen) {
       cells[found++] = {.element = e, .box = chosen.elements[e].box, .nodes_s = 3, .nodes_t = 4};
   EXPECT_EQ(found, 2U);
   return cells;
+}
+
+// Parts of two plans, or of two functions, are never added up.
+TEST(ResidualBounds, AreNotTakenFromOtherCellsOrFunctions) {
+  const Chosen chosen("tetrahedron", 2, 0.5, drawn(31, 1), drawn(32, 0.1));
+  const Chosen other("tetrahedron", 2, 0.5, drawn(31, 1), drawn(33, 0.1));
+  const std::array<ObserverCell, 2> cells = two_cells(chosen);
+  std::vector<std::pair<const Trial*, std::array<ObserverCell, 2>>> tries{{&chosen.trial, cells},
+                                                                          {&other.trial, cells}};
+  const auto changed = [&](const auto& change) {
+    std::array<ObserverCell, 2> others = cells;
+    change(others[1]);
+    tries.emplace_back(&chosen.trial, others);
+  };
+  changed([](ObserverCell& cell) { cell.box.s1 = std::nextafter(cell.box.s1, 0); });
+  changed([](ObserverCell& cell) { cell.nodes_s = 2; });
+  changed([](ObserverCell& cell) { cell.quadrature = 1; });
+  test::Memory memory;
+  const SearchContext context{.kept = &memory};
+  for (const auto& [trial, of] : tries) {
+    MeshWork work(context, {.layers = 2});
+    const ResidualSums kept = residual_sums(*trial, of, no_demand, false, &work);
+    const ResidualSums fresh = residual_sums(*trial, of, no_demand);
+    EXPECT_EQ(kept.norms, fresh.norms);
+    for (const std::size_t k : {0U, 1U}) EXPECT_EQ(kept.products[k].radius, fresh.products[k].radius);
+  }
+  EXPECT_EQ(memory.found, 0);
+  MeshWork work(context, {.layers = 2});
+  static_cast<void>(residual_sums(chosen.trial, cells, no_demand, false, &work));
+  EXPECT_EQ(memory.found, 1);
+  static_cast<void>(largest_residuals(chosen.trial, cells, NoDemand(), &work));
+  static_cast<void>(largest_residuals(other.trial, cells, NoDemand(), &work));
+  EXPECT_EQ(memory.found, 1);
 }
 
 TEST(ResidualBounds, CountWhatSamplesAreOffBy) {
@@ -281,14 +325,6 @@ TEST(ResidualSamples, CountTheOtherSideOfAnEdge) {
   }
   EXPECT_EQ(tried, 2);
 }
-
-class NoDemand final : public LargestDemand {
-public:
-  [[nodiscard]] double allowed(std::size_t /*element*/) const override { return 1e30; }
-  [[nodiscard]] bool may_be_strip(const Sector& /*sector*/, const SectorBox& /*box*/) const override {
-    return false;
-  }
-};
 
 /// l_a(x) at the Gauss nodes of a rule.
 std::vector<double> lagrange(const IntervalRule<double>& rule, double x) {

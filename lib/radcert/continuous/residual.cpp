@@ -14,6 +14,7 @@
 #include "radcert/continuous/elements/local_values.h"
 #include "radcert/continuous/residual_samples.h"
 #include "radcert/core/contract.h"
+#include "radcert/core/digest.h"
 #include "radcert/core/parallel.h"
 
 namespace radcert {
@@ -86,6 +87,7 @@ public:
                              ShadedParts shaded = ShadedParts::bounded)
       : trial_(trial), samples_(trial, shaded), count_(trial.w.count()), residuals_(residuals) {}
 
+  [[nodiscard]] const Trial& trial() const { return trial_; }
   [[nodiscard]] Share none() const { return Share(count_, residuals_); }
   [[nodiscard]] std::vector<Share> of_cells(std::span<const ObserverCell> cells,
                                             const CellDemand& demand) const {
@@ -314,13 +316,41 @@ std::vector<ElementResidual> element_residuals(const Trial& trial, std::span<con
 constexpr std::size_t cells_at_a_time = 64;
 constexpr std::size_t cells_of_a_part = 16 * cells_at_a_time;
 
+/// SHA-256 of some doubles, to the bit.
+std::string digest_of_numbers(std::span<const double> numbers) {
+  return sha256({reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()});
+}
+
+/// A name for these cells and the functions whose residuals they are for: a plan that differs by a rounding
+/// is another, and with its cells parts of both would count twice or not at all.
+std::string name_of_cells(const std::string& kind, const Trial& trial, std::span<const ObserverCell> cells) {
+  std::vector<double> numbers;
+  const auto put = [&](std::size_t place, const SectorBox& box) {
+    numbers.insert(numbers.end(), {static_cast<double>(place), box.s0, box.s1, box.t0, box.t1});
+  };
+  for (const SectorElement& element : trial.elements) put(element.sector, element.box);
+  std::string digests =
+      digest_of_numbers(numbers) + digest_of_numbers(trial.q.all()) + digest_of_numbers(trial.w.all());
+  for (std::size_t first = 0; first < cells.size(); first += cells_of_a_part) {
+    numbers.clear();
+    for (const ObserverCell& cell : cells.subspan(first, std::min(cells_of_a_part, cells.size() - first))) {
+      put(cell.element, cell.box);
+      numbers.insert(numbers.end(), {static_cast<double>(cell.nodes_s), static_cast<double>(cell.nodes_t),
+                                     cell.closed ? 1.0 : 0.0, cell.of_rules, cell.beside, cell.interpolation,
+                                     cell.quadrature, cell.shade, cell.least_mass, cell.shade_of_mean});
+    }
+    digests += digest_of_numbers(numbers);
+  }
+  return std::to_string(cells.size()) + " " + kind + ", " + digest_of(digests);
+}
+
 /// The numbers of cells first, ..., first + size - 1.
-std::vector<double> numbers_of_cells(MeshWork* work, const std::string& kind, std::size_t first,
+std::vector<double> numbers_of_cells(MeshWork* work, const std::string& name, std::size_t first,
                                      std::size_t size, std::size_t count,
                                      const std::function<std::vector<double>()>& find) {
   if (work == nullptr) return find();
   bool is_found = false;
-  std::vector<double> numbers = work->numbers(kind + " from " + std::to_string(first), count, [&] {
+  std::vector<double> numbers = work->numbers(name + " from " + std::to_string(first), count, [&] {
     is_found = true;
     return find();
   });
@@ -333,6 +363,8 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
                        MeshWork* work, std::size_t residuals) {
   const std::size_t count = trial.w.count();
   SharesByCell by_cell(by_element ? cells.size() : 0, count);
+  const std::string name =
+      work == nullptr ? "" : name_of_cells(by_element ? "cells of elements" : "cells", trial, cells);
   // Parts end where chunks do, so that sums do not depend on them.
   Share total = residual.none();
   for (std::size_t first = 0; first < cells.size(); first += cells_of_a_part) {
@@ -358,9 +390,8 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
       numbers.insert(numbers.end(), of_cells.begin(), of_cells.end());
       return numbers;
     };
-    const std::vector<double> numbers =
-        numbers_of_cells(work, by_element ? "cells of elements" : "cells", first, size,
-                         Share::numbers_of(count, residuals) + of_cells.size(), find);
+    const std::vector<double> numbers = numbers_of_cells(
+        work, name, first, size, Share::numbers_of(count, residuals) + of_cells.size(), find);
     total.take_from(numbers);
     std::copy(numbers.end() - static_cast<std::ptrdiff_t>(of_cells.size()), numbers.end(), of_cells.begin());
   }
@@ -399,9 +430,10 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
 std::vector<double> largest_over(const ResidualOverCells& residual, std::span<const ObserverCell> cells,
                                  const LargestDemand& demand, MeshWork* work) {
   std::vector<double> largest;
+  const std::string name = work == nullptr ? "" : name_of_cells("cells for maxima", residual.trial(), cells);
   for (std::size_t first = 0; first < cells.size(); first += cells_of_a_part) {
     const std::size_t size = std::min(cells_of_a_part, cells.size() - first);
-    const std::vector<double> found = numbers_of_cells(work, "cells", first, size, size, [&] {
+    const std::vector<double> found = numbers_of_cells(work, name, first, size, size, [&] {
       std::vector<double> part(size);
       parallel_for(size, cells_at_a_time, [&](std::size_t begin, std::size_t end) {
         const std::span<const ObserverCell> own = cells.subspan(first + begin, end - begin);
