@@ -248,6 +248,8 @@ esac
         self.assertIn("1 to 24", self.refused(2, *at, "--digits", "25"))
         self.assertIn("without a point", self.refused(2, "sphere_over_disk"))
         self.assertIn("from 2 to", self.refused(2, "sphere_over_disk", "--curve", "c.csv", "--points", "1"))
+        for words in ((*at, "--points", "3"), ("cube_opposite_faces", "--points", "3"), ("--all", "--out", "all", "--points", "3")):
+            self.assertIn("--curve FILE.csv", self.refused(2, *words))
         self.assertIn("is for sphere_over_disk", self.refused(2, "cube_opposite_faces", "--at", "D:1"))
         self.refused(2, "sphere_over_disk", "--curve", "c.csv", "--at", "D:99")
         self.assertFalse(os.path.exists(self.path("c.csv")))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What solve says does not depend on how it is run."""
+import csv
 import hashlib
 import json
 import os
@@ -257,6 +258,26 @@ class Solve(ProgramTest):
         done = self.run_program("solve", "named.json")
         self.assertEqual(done.returncode, 2)
         self.assertIn("/guarantee/emissions/a~1b~0c", done.stderr.decode())
+        done = self.run_program("solve", "named.json", "--emission-by", "piece")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("stands beside /guarantee/emissions", done.stderr.decode())
+
+    def test_values_of_further_emissions_are_written_beside_the_own(self):
+        self.write("box.json", {"schema": "radcert/problem/1", "surface": {"name": "tetrahedron"},
+                                "triangulation": {"levels": [0]}, "basis": {"family": "inset", "degree": 0},
+                                "reflectivity": "1/8", "emission": "1"})
+        result = json.loads(self.solution("box.json", "--guarantee", "1", "--at", "1/3,1/3,-1/3", "--emission-by", "piece",
+                                          "--nodes", "u.csv", "--vtu", "u.vtu"))["enclosure"]
+        with open(self.path("u.csv"), newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["emission"] for row in rows], ["", *result["emissions"]])
+        # All pieces together emit what the problem's own does.
+        own, *others = [(float(row["radiosity"]), float(row["radius"])) for row in rows]
+        self.assertLessEqual(abs(own[0] - sum(value for value, _ in others)), own[1] + sum(radius for _, radius in others))
+        with open(self.path("u.vtu"), encoding="utf-8") as file:
+            text = file.read()
+        for name in result["emissions"]:
+            self.assertIn(f'Name="radiosity, {name}"', text)
 
     def test_a_reflectivity_that_varies_has_a_certificate(self):
         self.write("bent.json", {"schema": "radcert/problem/1", "surface": {"name": "tetrahedron"},

@@ -52,6 +52,11 @@ TEST(EnclosureCsv, HasARowAPoint) {
   SolutionEnclosure values{.wanted = {.width = 1, .of = EnclosedQuantity::values}};
   values.points.push_back({"east", {1, Rational(1, 2), 0}, Approximation::proved(0.5, 0.001)});
   EXPECT_EQ(enclosure_csv(values), "piece,x,y,z,radiosity,radius\r\neast,1,0.5,0,0.5,0.001\r\n");
+  values.emissions.push_back(
+      {.emission = "north", .points = {{"east", {1, Rational(1, 2), 0}, Approximation::proved(0.25, 0.5)}}});
+  EXPECT_EQ(
+      enclosure_csv(values),
+      "piece,x,y,z,radiosity,radius,emission\r\neast,1,0.5,0,0.5,0.001,\r\neast,1,0.5,0,0.25,0.5,north\r\n");
   SolutionEnclosure function{.wanted = {.width = 1, .of = EnclosedQuantity::function}};
   function.patches.push_back({.piece = "floor", .corners = {}, .values = {1, 2, 3, 4}, .bound = 0.125});
   EXPECT_NE(enclosure_csv(function).find("floor,0,0,0,4,0.125\r\n"), std::string::npos);

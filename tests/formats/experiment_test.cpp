@@ -52,6 +52,19 @@ TEST(Experiment, IsTheProductOfItsListsTheLastRunningFastest) {
   EXPECT_EQ(questions(experiment), (std::vector<std::vector<std::size_t>>{{0, 1, 2}, {3, 4, 5}}));
 }
 
+TEST(Experiment, RanksNothingOnAnInterpolantAgainstWhatIsOnS) {
+  const Experiment experiment = parse_experiment(
+      experiment_text(
+          R"({"surface": {"name": "two_piece"}, "triangulation": {"levels": [0]},
+                          "reflectivity": "1/2", "solution": "1"})",
+          R"({"geometry": ["exact", {"interpolated": 2}, {"interpolated": 2, "data": "interpolant"},
+                                       {"interpolated": 3, "data": "interpolant"}],
+                          "basis": [{"family": "inset", "degree": 0},
+                                    {"family": "inset", "degree": 1, "alpha": "1/6"}]})"),
+      "trial.json");
+  EXPECT_EQ(questions(experiment), (std::vector<std::vector<std::size_t>>{{0, 1, 2, 3}, {4, 5}, {6, 7}}));
+}
+
 std::string with_labels(const std::string& labels, const std::string& fit_from = "1") {
   return head + base + R"(, "vary": )" + vary + R"(, "labels": )" + labels + R"(, "fit_from": )" + fit_from +
          "}";

@@ -82,6 +82,12 @@ TEST(VtuText, HasWhatIsProvedOfAFunctionAndOfValues) {
   EXPECT_EQ(words(points, "types"), (std::vector<std::string>{"1"}));
   EXPECT_EQ(words(points, "points"), (std::vector<std::string>{"1", "0.5", "0"}));
   EXPECT_EQ(words(points, "radius"), (std::vector<std::string>{"0.001"}));
+  values.emissions.push_back(
+      {.emission = "a<b", .points = {{"east", {1, Rational(1, 2), 0}, Approximation::proved(0.25, 0.5)}}});
+  const std::string further = vtu_text(values);
+  EXPECT_EQ(words(further, "radiosity"), (std::vector<std::string>{"0.5"}));
+  EXPECT_EQ(words(further, "radiosity, a&lt;b"), (std::vector<std::string>{"0.25"}));
+  EXPECT_EQ(words(further, "radius, a&lt;b"), (std::vector<std::string>{"0.5"}));
 }
 
 }  // namespace

@@ -197,6 +197,9 @@ TEST(GalerkinLevel, RefusesByName) {
   problem.geometry = InterpolatedGeometry{.degree = 2};
   EXPECT_EQ(fault(problem).pointer, "/geometry/interpolated");
   problem = emitting_floor(1);
+  problem.iterated = true;
+  EXPECT_EQ(fault(problem).pointer, "/iterated");
+  problem = emitting_floor(1);
   problem.reflectivity = everywhere("x/2");
   EXPECT_THAT(fault(problem).problem, HasSubstr("positive"));
   problem.reflectivity = by_piece({{"floor", "0"}, {"*", "1 - z/2"}});

@@ -47,7 +47,7 @@ struct ReferenceOptions {
   std::string out;
   std::vector<std::string> at;
   std::string curve;
-  std::string points = "201";
+  std::string points;
 };
 
 constexpr int usual_digits = 20;
@@ -186,8 +186,11 @@ ExitCode print_continuous(const Common& common, const ReferenceOptions& options,
 }
 
 ExitCode give_sphere_over_disk(const Common& common, const ReferenceOptions& options, int digits) {
-  psg10::SphereOverDiskWish wish{
-      .arguments = {}, .at = options.at, .curve = options.curve, .points = options.points, .digits = digits};
+  psg10::SphereOverDiskWish wish{.arguments = {},
+                                 .at = options.at,
+                                 .curve = options.curve,
+                                 .points = options.points.empty() ? "201" : options.points,
+                                 .digits = digits};
   const auto parameters = psg10::sphere_over_disk_parameters();
   for (const reference::ValueParameter& parameter : parameters)
     wish.arguments.push_back(Rational::parse(parameter.default_text).value());
@@ -306,6 +309,11 @@ ExitCode give_reference(const Common& common, const ReferenceOptions& options) {
                       .allowed = "one of them; the names are those of radcert list references"});
   if (options.all && options.out.empty())
     throw InputError({.source = "reference", .problem = "--all without --out", .allowed = "--all --out DIR"});
+  if (!options.points.empty() && options.curve.empty())
+    throw InputError({.source = "--points",
+                      .value = options.points,
+                      .problem = "is for a curve",
+                      .allowed = "--curve FILE.csv of " + std::string(psg10::sphere_over_disk_name)});
   const reference::ContinuousMean* mean = reference::find_continuous_mean(options.name);
   if (!options.all && mean == nullptr && !options.out.empty())
     throw InputError({.source = "reference", .problem = "--out without --all", .allowed = "--json FILE"});
@@ -345,7 +353,7 @@ void add_reference(Program& program) {
       "PLACE");
   command.option("--curve", options->curve, "sphere_over_disk: both curves, B by latitude and D by distance",
                  "FILE.csv");
-  command.option_with_default("--points", options->points, "How many points each curve has");
+  command.option("--points", options->points, "How many points each curve has. Default: 201", "N");
   command.fresh_flag(program.common());
   command.footer(
       "What is printed encloses the value: the radius is rounded up after the midpoint has been rounded. "

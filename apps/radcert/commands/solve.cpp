@@ -308,7 +308,14 @@ Problem problem_of(const SolveOptions& options, const InputFile& input) {
   if (options.at.empty() && problem.guarantee)
     for (const Vector<Rational>& point : problem.guarantee->points) points.push(point_json(point));
   if (!points.elements()->empty()) guarantee.set("points", std::move(points));
-  if (!options.emission_by.empty()) guarantee.set("emissions", "by " + options.emission_by);
+  if (!options.emission_by.empty()) {
+    guarantee.set("emissions", "by " + options.emission_by);
+    if (problem.guarantee && !problem.guarantee->emissions.empty())
+      throw InputError({.source = "--emission-by",
+                        .value = options.emission_by,
+                        .problem = "stands beside /guarantee/emissions of " + input.source,
+                        .allowed = "one of them"});
+  }
   std::vector<NamedEmission> emissions;
   if (options.emission_by.empty() && problem.guarantee) emissions = problem.guarantee->emissions;
   std::string given;

@@ -28,9 +28,14 @@ std::vector<std::vector<std::size_t>> questions(const Experiment& experiment) {
   std::map<std::vector<std::size_t>, std::size_t> place;
   std::vector<std::vector<std::size_t>> out;
   for (std::size_t i = 0; i < experiment.combinations.size(); ++i) {
+    const Combination& combination = experiment.combinations[i];
     std::vector<std::size_t> asked;
-    for (const auto& [key, choice] : experiment.combinations[i].choice)
+    for (const auto& [key, choice] : combination.choice)
       if (key == "surface" || key == "reflectivity" || key == "solution") asked.push_back(choice);
+    // Each degree of the interpolant is another surface.
+    const std::optional<InterpolatedGeometry>& geometry = combination.problem.geometry;
+    const bool is_of_interpolant = geometry && geometry->data == DataPoints::interpolant;
+    asked.push_back(is_of_interpolant ? static_cast<std::size_t>(geometry->degree) : 0);
     const auto [found, is_new] = place.emplace(asked, out.size());
     if (is_new) out.emplace_back();
     out[found->second].push_back(i);

@@ -33,7 +33,8 @@ struct Experiment {
 };
 
 /// The combinations that answer one question: the same integral equation, by different methods.
-/// Maths     classes of combinations with the same choice of surface, reflectivity and solution
+/// Maths     classes of combinations with the same choice of surface, reflectivity and solution; what is
+///           posed on interpolants of S of one degree is a class of its own, since its surface is another
 /// Requires  nothing
 /// Result    places in experiment.combinations, ascending; the classes in the order of their first
 /// Limits    errors of different classes say nothing about methods

@@ -87,7 +87,7 @@ public:
       expects(values.size() == size, "a number for every point or cell", named("numbers", values.size()));
       for (const double value : values)
         expects(std::isfinite(value), "a finite number", named("value", value));
-      add(out, "Float64", " Name=\"" + name + "\"", values);
+      add(out, "Float64", " Name=\"" + svg::escaped(name) + "\"", values);
     }
   }
 

@@ -67,6 +67,16 @@ std::string vtu_text(const SolutionEnclosure& enclosure) {
   }
   grid.at_points.emplace_back("radiosity", std::move(radiosity));
   if (!enclosure.function) grid.at_points.emplace_back("radius", std::move(bound));
+  for (const SolutionEnclosure::OfEmission& further : enclosure.emissions) {
+    std::vector<double> values;
+    std::vector<double> radii;
+    for (const EnclosedValue& point : further.points) {
+      values.push_back(point.value.value);
+      radii.push_back(point.value.radius);
+    }
+    grid.at_points.emplace_back("radiosity, " + further.emission, std::move(values));
+    grid.at_points.emplace_back("radius, " + further.emission, std::move(radii));
+  }
   return vtu_text(grid);
 }
 

@@ -25,7 +25,8 @@ std::string vtu_text(std::span<const ElementValue> elements,
 
 /// What is proved of a solution, as such a file.
 /// Maths     of a function its patches, with point data radiosity, v at the corners, and cell data bound, of
-///           |u - v| on the patch; of values their points, with radiosity and radius
+///           |u - v| on the patch; of values their points, with radiosity and radius of the problem's own
+///           emission, and "radiosity, NAME" and "radius, NAME" of each further one
 /// Requires  an enclosure of a function or of values
 /// Result    quadrilaterals, or vertices; all else as above
 std::string vtu_text(const SolutionEnclosure& enclosure);

@@ -74,15 +74,24 @@ std::string nodes_csv(std::span<const LevelOutcome> levels) {
 }
 
 std::string enclosure_csv(const SolutionEnclosure& enclosure) {
-  static constexpr std::array<std::string_view, 6> columns = {"piece", "x", "y", "z", "radiosity", "radius"};
+  std::vector<std::string_view> columns{"piece", "x", "y", "z", "radiosity", "radius"};
+  const bool has_emissions = !enclosure.emissions.empty();
+  if (has_emissions) columns.emplace_back("emission");
   CsvTable table(columns);
-  const auto add = [&](const std::string& piece, const Vector<double>& at, double value, double radius) {
-    const std::array<JsonValue, columns.size()> row = {piece, at.x, at.y, at.z, value, radius};
+  const auto add = [&](const std::string& piece, const Vector<double>& at, double value, double radius,
+                       const std::string& emission = "") {
+    std::vector<JsonValue> row{piece, at.x, at.y, at.z, value, radius};
+    if (has_emissions) row.emplace_back(emission);
     table.add(row);
   };
-  for (const EnclosedValue& point : enclosure.points)
-    add(point.piece, {point.at.x.to_double(), point.at.y.to_double(), point.at.z.to_double()},
-        point.value.value, point.value.radius);
+  const auto add_values = [&](const std::vector<EnclosedValue>& points, const std::string& emission) {
+    for (const EnclosedValue& point : points)
+      add(point.piece, {point.at.x.to_double(), point.at.y.to_double(), point.at.z.to_double()},
+          point.value.value, point.value.radius, emission);
+  };
+  add_values(enclosure.points, "");
+  for (const SolutionEnclosure::OfEmission& further : enclosure.emissions)
+    add_values(further.points, further.emission);
   for (const EnclosedPatch& patch : enclosure.patches)
     for (std::size_t k = 0; k < patch.corners.size(); ++k)
       add(patch.piece, patch.corners[k], patch.values[k], patch.bound);

@@ -43,9 +43,10 @@ std::string nodes_csv(std::span<const LevelOutcome> levels);
 /// What is proved of a solution at points.
 /// Maths     |u - radiosity| <= radius: at points where values are asked for; of a function at the corners of
 ///           its patches, where radiosity is v rounded and radius bounds |u - v|
-/// Source    the columns piece, x, y, z, radiosity, radius
+/// Source    the columns piece, x, y, z, radiosity, radius, and where there are further emissions, emission
 /// Requires  an enclosure of a function or of values
-/// Result    a row a point; coordinates rounded, exact ones are in the JSON file
+/// Result    a row a point, then those of each further emission by its name, which the problem's own has
+///           none of; coordinates rounded, exact ones are in the JSON file
 std::string enclosure_csv(const SolutionEnclosure& enclosure);
 
 /// The columns of one level's figures, and the cells below them.

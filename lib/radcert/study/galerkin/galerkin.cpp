@@ -29,6 +29,9 @@ void check_choices(const Problem& problem, const Galerkin& method, const Surface
   if (problem.geometry)
     refuse_input("/geometry/interpolated", std::to_string(problem.geometry->degree),
                  "is not for Galerkin's method", "\"exact\"");
+  if (problem.iterated)
+    refuse_input("/iterated", "true", "is not for Galerkin's method",
+                 "false, or collocation with a basis of functions on triangles");
   if (!surface.unoccluded)
     refuse_input("/basis/method", "galerkin",
                  "is not for the surface " + surface.name + ", whose parts hide each other",
