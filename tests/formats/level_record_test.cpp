@@ -151,11 +151,20 @@ TEST(StoredLevels, KeepNothingOfAFunctionWithoutAFormula) {
     EXPECT_EQ(levels.computed(), before + 2);
     EXPECT_FALSE(std::filesystem::exists(folder.path));
   }
+  // Its name is that of another mother function too.
+  problem = test::sample_problem();
+  Meshless meshless{.family = MeshlessFamily::meshless, .basis = shepard_basis()};
+  meshless.basis.mother = own_mother("mine", [](double r) { return std::exp(-r); });
+  problem.method = meshless;
+  static_cast<void>(levels.level(problem, 0));
+  static_cast<void>(levels.level(problem, 0));
+  EXPECT_EQ(levels.computed(), 6U);
+  EXPECT_FALSE(std::filesystem::exists(folder.path));
   // What its text tells is kept.
   problem = test::sample_problem();
   static_cast<void>(levels.level(problem, 0));
   static_cast<void>(levels.level(problem, 0));
-  EXPECT_EQ(levels.computed(), 5U);
+  EXPECT_EQ(levels.computed(), 7U);
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "radcert/core/errors.h"
 #include "radcert/formats/json/json_document.h"
 #include "tests/formats/sample.h"
@@ -138,6 +140,12 @@ TEST(ParseProblem, ReadsMeshlessBases) {
       basis(R"({"family": "meshless", "mother": "gaussian", "support": "none"})").basis.mother.support);
   EXPECT_EQ(basis("\"lehtinen\"").basis.normalise, Normalisation::partition_of_unity);
   EXPECT_EQ(basis("\"gaussian\"").basis.mother.support, Rational(4));
+  Meshless cut{.family = MeshlessFamily::meshless, .basis = shepard_basis()};
+  cut.basis.mother = own_mother(
+      "mine", [](double r) { return std::exp(-r); }, Rational(3, 2));
+  Problem problem = test::sample_problem();
+  problem.method = cut;
+  EXPECT_EQ(*problem_json(problem).find("basis")->find("support")->string(), "3/2");
   EXPECT_EQ(basis(R"({"family": "gaussian", "radius": {"neighbour": 5}})").basis.radius.neighbour, 5U);
 }
 

@@ -183,7 +183,7 @@ JsonValue meshless_json(const Meshless& basis) {
   if (basis.family == MeshlessFamily::meshless) {
     const MotherFunction& mother = basis.basis.mother;
     out.set("mother", mother.to_text());
-    if (mother.kind == MotherKind::gaussian || mother.kind == MotherKind::expression)
+    if (mother.kind != MotherKind::spline && mother.kind != MotherKind::shepard)
       out.set("support", mother.support ? exact_json(*mother.support) : JsonValue("none"));
     out.set("distance", std::string(name(basis.basis.distance)));
   }

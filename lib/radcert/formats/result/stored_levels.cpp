@@ -28,6 +28,8 @@ bool is_told_by_its_text(const Problem& problem) {
   if (problem.surface.mesh && !is_known_in_balls(*problem.surface.mesh->surface)) return false;
   for (const auto* data : {&problem.solution, &problem.emission})
     if (*data && (*data)->has_own()) return false;
+  const auto* meshless = std::get_if<Meshless>(&problem.method);
+  if (meshless != nullptr && meshless->basis.mother.kind == MotherKind::own) return false;
   return !problem.reflectivity.has_own();
 }
 

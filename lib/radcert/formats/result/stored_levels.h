@@ -29,8 +29,8 @@ public:
 ///           Of several ranks the first one's store decides for all; the others are given its numbers,
 ///           without nodes and elements, and their stores are not asked. A level that is kept without nodes
 ///           and elements is computed again where they are wanted
-/// Limits    a store that is off computes each time, and so does one of a problem with an own_function: its
-///           text does not say what that is
+/// Limits    a store that is off computes each time, and so does one of a problem with an own_function or an
+///           own_mother: its text does not say what that is
 class StoredLevels final : public LevelSource {
 public:
   using Solve = std::function<LevelOutcome(const Problem& problem, int level)>;
