@@ -57,8 +57,7 @@ struct LevelResult {
   /// The largest |mean of u - u_n| over a piece, by that rule
   std::optional<Approximation> mean_error = std::nullopt;
   std::optional<Approximation> iterated_error = std::nullopt;  ///< max |u - uhat| over the check points
-  /// The previous level's value over this one's, where both stand above their radii: see error_ratio
-  std::optional<double> discretisation_ratio;
+  std::optional<double> discretisation_ratio;                  ///< error_ratio of the previous level and this
   std::optional<double> node_ratio;
   std::optional<double> discretisation_order;  ///< log of the ratio over log of the mesh sizes' ratio
   std::optional<double> node_order;

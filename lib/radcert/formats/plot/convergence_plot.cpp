@@ -7,7 +7,7 @@
 
 #include "radcert/core/contract.h"
 #include "radcert/formats/table/order_text.h"
-#include "radcert/study/error_order.h"
+#include "radcert/study/errors/error_order.h"
 
 namespace radcert {
 

@@ -54,11 +54,10 @@ void check(const Problem& problem, const Galerkin& method, const Surface& surfac
 
 /// Solves a problem by Galerkin's method at one level.
 /// Maths     see Galerkin. In functions that are orthonormal with the weight 1/rho the system is (I - A) x =
-///           b, with x^T (I - A) x >= (1 - rho_max) x^T x for the exact integrals, and for those that are
-///           stored what definiteness_as_stored leaves of it, solved by conjugate gradients. For the error:
-///           with residual r of the computed x, entries and masses off by no more than eta in the 2-norm and
-///           b by delta, |x - exact| <= (|r| + eta |x| + delta) / ((1 - rho_max)(1 - eta)), which bounds the
-///           L2 norm of the error of u_n too, since 1/rho >= 1
+///           b, x^T (I - A) x >= (1 - rho_max) x^T x for exact integrals, definiteness_as_stored for those at
+///           hand, solved by conjugate gradients. With the residual r of the computed x, entries and masses
+///           off by no more than eta in the 2-norm and b by delta, |x - exact| <= (|r| + eta |x| + delta) /
+///           ((1 - rho_max)(1 - eta)), which bounds the L2 norm of the error of u_n, since 1/rho >= 1
 /// Requires  a checked problem with this method
 /// Result    nodes: a lattice inside each element, at which u_n, u and E are told; node_error = max over them
 ///           of |u - u_n|; discretisation_error is absent. E = u - Ku at the points of the load's rule.
