@@ -12,10 +12,11 @@
 A fault is an entry of faults/<layer>.toml: the file, what is wrong, the text that stands there once, what takes its
 place, and the tests that must fail, "<program>:<filter of GoogleTest>", of which the first program that sees the fault
 is enough. `sources` names those that are compiled where a header is changed that many read: a test that uses it alone
-need not rebuild the library. `missed` gives the reason why no test fails; `judged = false` is said of one that has not
-been planted yet: --unjudged plants those alone, and nothing else counts them. The checkout and the build are not touched:
-the sources that see the changed file are compiled into a scratch folder, and the test program is linked with them. Exit
-code 0 where every fault is as recorded, 1 where one is not, 2 where an entry is wrong.
+need not rebuild the library. `missed` gives the reason why no test fails; `equivalent` the proof that none can, since all
+that is stated still holds. `judged = false` is said of one that has not been planted yet: --unjudged plants those alone,
+and nothing else counts them. The checkout and the build are not touched: the sources that see the changed file are
+compiled into a scratch folder, and the test program is linked with them. Exit code 0 where every fault is as recorded, 1
+where one is not, 2 where an entry is wrong.
 """
 import argparse
 import json
@@ -36,7 +37,7 @@ ROOT = HERE.parent.parent
 # busy machine has no time of the processor, and may take longer by the clock.
 MOST_SECONDS = 300
 MOST_SECONDS_BY_THE_CLOCK = 3600
-KEYS = {"file", "what", "find", "put", "tests", "sources", "missed", "judged"}
+KEYS = {"file", "what", "find", "put", "tests", "sources", "missed", "equivalent", "judged"}
 
 
 class WrongEntry(Exception):
@@ -51,8 +52,15 @@ def read_faults(name):
             wrong = set(fault) - KEYS - {"place"}
             if wrong or not {"file", "what", "find", "put", "tests"} <= set(fault):
                 raise WrongEntry(f"{fault['place']}: its keys are {sorted(set(fault) - {'place'})}, not {sorted(KEYS)}")
+            if "missed" in fault and "equivalent" in fault:
+                raise WrongEntry(f"{fault['place']}: is missed, or equivalent")
             faults.append(fault)
     return faults
+
+
+def is_seen(fault):
+    """Whether a test is said to fail with it."""
+    return "missed" not in fault and "equivalent" not in fault
 
 
 def changed_text(fault):
@@ -201,27 +209,44 @@ def failing(build, fault, scratch):
 def report(fault, failed):
     """A line on a fault, and whether it is as recorded."""
     caught = bool(failed)
-    as_recorded = caught != ("missed" in fault)
+    as_recorded = caught == is_seen(fault)
     state = "caught" if caught else "missed"
+    why = fault.get("missed") or fault.get("equivalent") or ""
     line = f"{state:7}{'' if as_recorded else 'NOT AS RECORDED  '}{fault['file']}: {fault['what']}"
     detail = ", ".join(failed[:3]) + (f" and {len(failed) - 3} more" if len(failed) > 3 else "")
-    return line + (f"  [{detail or fault.get('missed', '')}]" if detail or "missed" in fault else ""), as_recorded
+    return line + (f"  [{detail or why}]" if detail or why else ""), as_recorded
+
+
+def percentage(part, whole):
+    """Rounded down to a tenth, so that no part is said to be larger than it is."""
+    tenths = 1000 * part // whole if whole else 1000
+    return f"{tenths // 10}.{tenths % 10} %"
+
+
+def reasons(faults, kind):
+    lines = []
+    for fault in faults:
+        if kind in fault:
+            file = str(pathlib.PurePath(fault["file"]).relative_to("lib/radcert"))
+            lines.append(f"| {file} | {fault['what']} | {fault[kind]} |")
+    return lines
 
 
 def tables(faults):
-    """By layer what is planted, caught and missed, and why each is that is missed."""
-    lines = ["| layer | planted | caught | missed |", "|---|---|---|---|"]
+    """By layer what is planted, caught, missed and equivalent, and why each is that is not caught."""
+    lines = ["| layer | planted | equivalent | caught | missed | caught of those that are not equivalent |",
+             "|---|---|---|---|---|---|"]
     layers = {}
     for fault in faults:
         layers.setdefault("/".join(pathlib.PurePath(fault["file"]).parts[2:3]), []).append(fault)
     for layer, some in [*sorted(layers.items()), ("all", faults)]:
         missed = sum("missed" in fault for fault in some)
-        lines.append(f"| {layer} | {len(some)} | {len(some) - missed} | {missed} |")
-    lines += ["", "| file | fault that is missed | why |", "|---|---|---|"]
-    for fault in faults:
-        if "missed" in fault:
-            file = str(pathlib.PurePath(fault["file"]).relative_to("lib/radcert"))
-            lines.append(f"| {file} | {fault['what']} | {fault['missed']} |")
+        equivalent = sum("equivalent" in fault for fault in some)
+        caught = sum(is_seen(fault) for fault in some)
+        lines.append(f"| {layer} | {len(some)} | {equivalent} | {caught} | {missed} | {percentage(caught, caught + missed)} |")
+    lines += ["", "| file | fault that is missed | why |", "|---|---|---|", *reasons(faults, "missed")]
+    lines += ["", "| file | change after which all that is stated holds | why |", "|---|---|---|",
+              *reasons(faults, "equivalent")]
     return "\n".join(lines)
 
 
@@ -256,7 +281,7 @@ def main():
         return 0
     if options.count is not None:
         # Those which tests see: that they still do.
-        faults = [fault for fault in faults if "missed" not in fault]
+        faults = [fault for fault in faults if is_seen(fault)]
     if options.count is not None and faults:
         # A prime number of steps apart, so that neighbours in a file are of different turns.
         first = int(turn(options.turn)[:12], 16) * options.count
