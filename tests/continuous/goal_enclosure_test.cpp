@@ -9,6 +9,8 @@
 #include <memory>
 #include <mutex>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "radcert/continuous/elements/local_values.h"
 #include "radcert/continuous/goals.h"
@@ -16,6 +18,8 @@
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/trial_functions.h"
 #include "radcert/polynomial/plane_polynomial_algebra.h"
+#include "radcert/scalar/ball.h"
+#include "radcert/scalar/real.h"
 #include "tests/continuous/memory.h"
 #include "tests/continuous/rooms.h"
 #include "tests/continuous/scenes.h"
@@ -445,6 +449,131 @@ TEST(PieceMeans, HaveTheReflectivityForTheirDuals) {
       for (std::size_t i = 0; i < expected.size(); ++i)
         EXPECT_EQ(given.of(e, 1 + k)[i], expected.of(e, 0)[i]) << k << " " << e;
   }
+}
+
+/// Twice the area of each piece.
+std::vector<Ball> doubled_areas(const std::vector<Panel>& panels, std::size_t pieces) {
+  std::vector<Ball> out(pieces, Ball(0));
+  for (const Panel& panel : panels)
+    for (std::size_t i = 0; i < panel.corners.size(); ++i) {
+      const Vector<Rational> n = cross(panel.corners[(i + 1) % panel.corners.size()] - panel.corners[i],
+                                       panel.centre - panel.corners[i]);
+      out[panel.piece] += sqrt(Ball(dot(n, n)));
+    }
+  return out;
+}
+
+/// J_k(w) by exact sums, for jacobians that are.
+Rational exact_functional(const Trial& trial, std::size_t piece) {
+  const auto powers = static_cast<std::size_t>(trial.w.degree() + 1);
+  Rational sum;
+  for (std::size_t e = 0; e < trial.elements.size(); ++e) {
+    if (trial.scene.panels()[trial.sector(e).panel].piece != piece) continue;
+    const auto [s0, s1, t0, t1] = trial.elements[e].box;
+    const Rational t_length = Rational::exactly(t1) - Rational::exactly(t0);
+    const Rational mean = 1 - (Rational::exactly(t0) + Rational::exactly(t1)) / 2;
+    const std::span<const double> c = trial.w.of(e, 0);
+    const Rational value =
+        Rational::exactly(c[0]) * mean - (powers > 1 ? Rational::exactly(c[1]) * t_length / 6 : Rational(0));
+    sum += Rational::exactly(trial.sector(e).jacobian) * (Rational::exactly(s1) - Rational::exactly(s0)) *
+           t_length * value;
+  }
+  return sum;
+}
+
+TEST(PieceMeans, CountTheRoundingsOfTheirSums) {
+  // Over the first element of each piece w has the integral 1, a little more, and over every other one so
+  // small a one that it is lost beside that: more than w and each term are rounded by.
+  const SectorScene scene(panels_of("cube"));
+  const std::vector<double> black(scene.panels().size(), 0.0);
+  const std::vector<SectorElement> elements = graded_elements(scene, 7);
+  const std::unique_ptr<Goals> goals = piece_means(scene, black);
+  constexpr double unit = unit_roundoff<double>();
+  SectorFunctions staircase(elements.size(), 1, 0);
+  std::vector<int> others(goals->count(), -1);
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const Sector& sector = scene.sectors()[elements[e].sector];
+    int& before = others[scene.panels()[sector.panel].piece];
+    staircase.of(e, 0)[0] =
+        (before < 0 ? 1 + 0x1p-45 : 0.99 * unit) / (sector.jacobian * elements[e].box.weight());
+    ++before;
+  }
+  const Trial trial(scene, black, elements, staircase, SectorFunctions(elements.size(), 1, 0));
+  const std::vector<Approximation> found = goals->of_density(trial);
+  const std::vector<Ball> areas = doubled_areas(scene.panels(), goals->count());
+  for (std::size_t k = 0; k < goals->count(); ++k) {
+    const Rational off = abs(exact_functional(trial, k) - Rational::exactly(found[k].value));
+    EXPECT_LE(off, Rational::exactly(found[k].radius));
+    EXPECT_GE(off, Rational::exactly(0.98 * others[k] * unit));
+    EXPECT_GE(0.98 * others[k] * unit, 16 * unit + 0.5 * trial.rounding * areas[k].to_double());
+  }
+}
+
+TEST(PieceMeans, AreThoseOfFunctionsThatVary) {
+  const SectorScene scene(panels_of("cube"));
+  const std::vector<double> black(scene.panels().size(), 0.0);
+  const std::vector<SectorElement> elements = graded_elements(scene, 2);
+  const std::unique_ptr<Goals> goals = piece_means(scene, black);
+  Draw draw(53);
+  const Trial trial(scene, black, elements, test::drawn_functions(elements.size(), 1, 2, draw),
+                    SectorFunctions(elements.size(), 1, 2));
+  const std::vector<Approximation> found = goals->of_density(trial);
+  for (std::size_t k = 0; k < goals->count(); ++k) {
+    EXPECT_LE(abs(exact_functional(trial, k) - Rational::exactly(found[k].value)),
+              Rational::exactly(found[k].radius));
+    EXPECT_LE(found[k].radius, 1e-12);
+  }
+}
+
+TEST(PieceMeans, CountWhatFunctionsAreOffBy) {
+  const SectorScene scene(panels_of("cube"));
+  const std::vector<double> black(scene.panels().size(), 0.0);
+  const std::vector<SectorElement> elements = graded_elements(scene, 1);
+  SectorFunctions one(elements.size(), 1, 0);
+  for (std::size_t e = 0; e < elements.size(); ++e) one.of(e, 0)[0] = 1;
+  const Trial trial(scene, black, elements, one, SectorFunctions(elements.size(), 1, 0), 0.25);
+  const std::unique_ptr<Goals> goals = piece_means(scene, black);
+  const std::vector<Ball> areas = doubled_areas(scene.panels(), goals->count());
+  for (std::size_t k = 0; k < goals->count(); ++k) {
+    const double area = 0.5 * areas[k].to_double();
+    const Approximation functional = goals->of_density(trial)[k];
+    EXPECT_GE(functional.radius, 0.25 * area);
+    EXPECT_LE(functional.radius, 0.25 * area * (1 + 1e-9));
+  }
+}
+
+/// The panels, so many times as large.
+std::vector<Panel> scaled(std::vector<Panel> panels, const Rational& by) {
+  for (Panel& panel : panels) {
+    for (Vector<Rational>& corner : panel.corners) corner = by * corner;
+    panel.centre = by * panel.centre;
+  }
+  return panels;
+}
+
+TEST(PieceMeans, AreIntegralsOverAreas) {
+  // All that an integral may be, over the exact area.
+  int rounded = 0;
+  for (const std::string name : {"cube", "tetrahedron"})
+    for (const Rational& size : {Rational(7), Rational(1, 3), Rational(1, 1000)}) {
+      const SectorScene scene(scaled(panels_of(name), size));
+      const std::unique_ptr<Goals> goals =
+          piece_means(scene, std::vector<double>(scene.panels().size(), 0.5));
+      const std::vector<Ball> areas = doubled_areas(scene.panels(), goals->count());
+      for (std::size_t k = 0; k < goals->count(); ++k)
+        for (const double radius : {0.0, 1e-12, 0.125}) {
+          const Approximation mean = goals->number(k, Approximation::proved(1, radius));
+          EXPECT_TRUE(mean.guaranteed);
+          for (const int end : {-1, 1}) {
+            const Ball exact = Ball(2) * (Ball(1) + Ball(end) * Ball(radius)) / areas[k];
+            const double off = abs(exact - Ball(mean.value)).upper_double();
+            EXPECT_LE(off, mean.radius);
+            EXPECT_LE(mean.radius, off * (1 + 1e-9) + 1e-13 * mean.value);
+            rounded += radius == 0 && off > 0 ? 1 : 0;
+          }
+        }
+    }
+  EXPECT_GT(rounded, 0);
 }
 
 TEST(PointValues, EndCuttingAtAnEdge) {
