@@ -848,6 +848,41 @@ TEST(EllipsoidEnclosure, BoundsTheMeanUnderAVaryingReflectivity) {
   EXPECT_GT(off - fine.mean.radius, 1e4 * surface_mean(EllipsoidShape(axes), coarse.v, 1e-8).radius);
 }
 
+TEST(EllipsoidEnclosure, CountsTheRoundingOfValues) {
+  // Where nothing reflects u is E, and rounding is all that a value is off by.
+  const Vector<Rational>& axes = unequal();
+  const std::string text = "x/3 + x*y^2*z^4 - 2*y^5 + z^9/7";
+  const Expression expression = formula(text);
+  const EllipsoidEnclosure found = enclosed(axes, "0", text, 1e-9);
+  EXPECT_EQ(found.bound, 0);
+  Draw draw(19);
+  int rounded = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Vector<double> p = drawn_direction(draw);
+    const Triple q = long_direction(p);
+    const Triple a = long_axes(axes);
+    const Long exact = expression.evaluate<Long>({a[0] * q[0], a[1] * q[1], a[2] * q[2]});
+    const Approximation u = found.at(p);
+    EXPECT_LE(std::abs(static_cast<double>(exact - u.value)), u.radius);
+    EXPECT_LT(u.radius, 1e-9);
+    rounded += std::abs(exact - u.value) > 1e-17L ? 1 : 0;
+  }
+  EXPECT_GT(rounded, 100);
+}
+
+TEST(EllipsoidEnclosure, CountsWhatAFurnaceMakesOfTheMeanOfE) {
+  // E has the mean 0 on a sphere, exactly, and u that over 1 - rho: what the sum is off by becomes 1e8 times
+  // as much.
+  int rounded = 0;
+  for (const std::string text : {"x^2 - y^2", "x^4 - z^4", "x^2*y^2 - y^2*z^2", "x^3 + x^2 - y^2"}) {
+    const EllipsoidEnclosure found = enclosed({1, 1, 1}, "0.99999999", text, 1e-2);
+    EXPECT_LE(std::abs(found.mean.value), found.mean.radius) << text;
+    EXPECT_LT(found.mean.radius, 1e-3) << text;
+    rounded += std::abs(found.mean.value) > 1e-11 ? 1 : 0;
+  }
+  EXPECT_GT(rounded, 0);
+}
+
 TEST(EllipsoidEnclosure, SaysWhatStoodInTheWay) {
   const EllipsoidEnclosure thin = enclosed({1, 1, Rational(1, 1000)}, "1/2", "x", 1e-8);
   EXPECT_FALSE(thin.hindrance.empty());
