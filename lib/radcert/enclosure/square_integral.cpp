@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -15,7 +14,7 @@
 #include "radcert/core/parallel.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/enclosure/ellipse_bound.h"
-#include "radcert/enclosure/gauss_legendre.h"
+#include "radcert/enclosure/product_rule.h"
 
 namespace radcert {
 
@@ -47,11 +46,10 @@ struct Visit {
   const char* obstacle = nullptr;
 };
 
-/// A rule for one variable, and what it leaves open.
+/// A rule, and the ellipse that its error is bounded by.
 struct RuleChoice {
-  int nodes = 0;
+  RuleInOneVariable rule;
   int rho = 0;
-  Ball error;  ///< for a side of length 2 and the bound on the ellipse
 };
 
 class CellVisit {
@@ -70,7 +68,7 @@ public:
     const std::optional<RuleChoice> y = best_rule(SquareAxis::y);
     if (visit_.out_of_work) return std::move(visit_);
     if (x && y) {
-      if (!by_rule(*x, *y) && !visit_.out_of_work) bisect(longer_side());
+      if (!by_rule(x->rule, y->rule) && !visit_.out_of_work) bisect(longer_side());
     } else if (!by_range() && !visit_.out_of_work) {
       bisect(x ? SquareAxis::y : (y ? SquareAxis::x : rougher_side()));
     }
@@ -100,7 +98,7 @@ private:
     const double count = std::ceil(needed / (2 * std::log2(r)));
     if (count > most) return std::nullopt;
     const int nodes = count > 2 ? static_cast<int>(count) : 2;
-    return RuleChoice{.nodes = nodes, .rho = rho, .error = gauss_error_factor(nodes, r) * Ball(bound)};
+    return RuleChoice{.rule = rule_for_ellipse(nodes, r, bound), .rho = rho};
   }
 
   std::optional<RuleChoice> try_rho(SquareAxis axis, int rho) {
@@ -126,7 +124,7 @@ private:
       rho += upwards ? 1 : -1;
       std::optional<RuleChoice> other = try_rho(axis, rho);
       if (!upwards && !other) continue;
-      if (!other || (best && other->nodes >= best->nodes)) break;
+      if (!other || (best && other->rule.nodes >= best->rule.nodes)) break;
       best = std::move(other);
       if (!upwards) break;
     }
@@ -134,26 +132,9 @@ private:
     return best;
   }
 
-  bool by_rule(const RuleChoice& x, const RuleChoice& y) {
+  bool by_rule(const RuleInOneVariable& x, const RuleInOneVariable& y) {
     if (!take(static_cast<long>(x.nodes) * y.nodes)) return false;
-    const std::shared_ptr<const IntervalRule<Ball>> in_x = enclosed_gauss_rule(x.nodes);
-    const std::shared_ptr<const IntervalRule<Ball>> in_y = enclosed_gauss_rule(y.nodes);
-    const Ball middle_x = (Ball(cell_.sides.x_low) + Ball(cell_.sides.x_high)) / 2;
-    const Ball middle_y = (Ball(cell_.sides.y_low) + Ball(cell_.sides.y_high)) / 2;
-    std::vector<Ball> abscissae_y;
-    for (const Ball& node : in_y->nodes) abscissae_y.push_back(middle_y + half_y_ * node);
-    Ball sum;
-    for (std::size_t i = 0; i < in_x->nodes.size(); ++i) {
-      const Ball at_x = middle_x + half_x_ * in_x->nodes[i];
-      Ball row;
-      for (std::size_t j = 0; j < abscissae_y.size(); ++j) {
-        row = fma(in_y->weights[j], f_.in_balls(at_x, abscissae_y[j]), row);
-      }
-      sum = fma(in_x->weights[i], row, sum);
-    }
-    const Ball area = half_x_ * half_y_;
-    const Ball error = 2 * area * (x.error + y.error);
-    const Ball value = widened(area * sum, error);
+    const auto [value, error] = by_product_rule(f_, cell_.sides, x, y);
     if (!value.is_finite()) {
       visit_.obstacle = value.failure().data();
       return false;
