@@ -58,6 +58,57 @@ private:
 
 bool is_zero(const Exact& v) { return v == Exact{0, 0, 0}; }
 
+SizedVector<double> rounded_ray(const Vector<double>& to, const Vector<double>& from) {
+  const Vector<double> value = to - from;
+  return {value, sizes(value)};
+}
+
+/// Whether each coordinate is within k roundings of its size.
+bool is_within(const SizedVector<double>& v, const Exact& exact, int k) {
+  const auto near = [&](double value, double size, const Rational& truth) {
+    return abs(truth - Rational::exactly(value)) <=
+           Rational(k) * Rational::exactly(size) * Rational::exactly(unit_roundoff<double>());
+  };
+  return near(v.value.x, v.size.x, exact.x) && near(v.value.y, v.size.y, exact.y) &&
+         near(v.value.z, v.size.z, exact.z);
+}
+
+TEST(SizedVector, BoundsWhatProductsAreOffBy) {
+  // Coordinates a little above powers of two, where a rounding is all of a unit.
+  Numbers random(70);
+  const auto coordinate = [&] { return (random.below(2) == 0 ? 1 : -1) * (1 + 0x1p-20 * random.fraction()); };
+  const auto point = [&] { return Vector<double>{coordinate(), coordinate(), coordinate()}; };
+  double most_units = 0;
+  for (int k = 0; k < 8000; ++k) {
+    const Vector<double> eye = 0x1p-25 * point();
+    std::array<SizedVector<double>, 5> rays;
+    std::array<Exact, 5> exact_rays;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      const Vector<double> vertex = point();
+      rays[i] = rounded_ray(vertex, eye);
+      exact_rays[i] = sample::exact(vertex) - sample::exact(eye);
+      ASSERT_TRUE(is_within(rays[i], exact_rays[i], 1));
+    }
+    const SizedVector<double> n = sized_cross(rays[0], rays[1]);
+    const SizedVector<double> m = sized_cross(rays[2], rays[3]);
+    const SizedVector<double> corner = sized_cross(n, m);
+    const Exact exact_n = cross(exact_rays[0], exact_rays[1]);
+    const Exact exact_corner = cross(exact_n, cross(exact_rays[2], exact_rays[3]));
+    ASSERT_TRUE(is_within(n, exact_n, SightGeometry::rounding_of_normal));
+    ASSERT_TRUE(is_within(corner, exact_corner, SightGeometry::rounding_of_direction));
+    const auto off_by = [&](const SizedVector<double>& a, const SizedVector<double>& b,
+                            const Rational& exact) {
+      const Rational off = abs(Rational::exactly(dot(a.value, b.value)) - exact);
+      EXPECT_LE(off, Rational::exactly(dot_rounding(a, b)));
+      return off.to_double() / (unit_roundoff<double>() * dot(a.size, b.size));
+    };
+    most_units = std::max(most_units, off_by(rays[4], n, dot(exact_rays[4], exact_n)));
+    const SizedVector<double> other = sized_cross(rays[4], rays[0]);
+    off_by(corner, other, dot(exact_corner, cross(exact_rays[4], exact_rays[0])));
+  }
+  EXPECT_GT(most_units, 2.5);
+}
+
 TEST(SightGeometry, KnowsTheSignsThatRationalNumbersHave) {
   Numbers random(71);
   int close = 0;

@@ -5,27 +5,14 @@
 #include <utility>
 
 #include "radcert/core/contract.h"
-#include "radcert/scalar/real.h"
 
 namespace radcert {
 namespace {
 
-// dot(a, b) of vectors with k = 13 (a corner) and k = 5 (a normal): 18 roundings passed on, one of the
-// product and two of the sum, and a little for the roundings of the bound itself.
-constexpr int roundings = 24;
-// What underflow takes: 2^-1074 from a product, which factors of at most 2^101, four in number, and a dozen
-// terms follow.
-constexpr double underflow = 0x1p-600;
-
-template <class F>
-F bound_of(const SizedVector<F>& a, const SizedVector<F>& b, int k = roundings) {
-  return static_cast<F>(k) * unit_roundoff<F>() * dot(a.size, b.size) + static_cast<F>(underflow);
-}
-
 /// The sign of a . b; 0 where it is not certain.
 int certain_sign(const SizedVector<double>& a, const SizedVector<double>& b) {
   const double value = dot(a.value, b.value);
-  const double bound = bound_of(a, b);
+  const double bound = dot_rounding(a, b);
   return value > bound ? 1 : value < -bound ? -1 : 0;
 }
 
@@ -149,8 +136,8 @@ ParameterPoint<double> SightGeometry::parameters(const Corner& corner, const std
   using F = long double;
   const SizedVector<F> d = direction<F>(corner);
   // A vertex' ray has k = 1 in place of 13.
-  constexpr int with_ray = roundings - SightGeometry::rounding_of_direction + 1;
-  const int k_of_dot = corner.vertex == none ? roundings : with_ray;
+  constexpr int with_ray = roundings_of_dot - SightGeometry::rounding_of_direction + 1;
+  const int k_of_dot = corner.vertex == none ? roundings_of_dot : with_ray;
   std::array<F, 3> weight{};
   F bound = 0;
   F largest = 0;
@@ -159,7 +146,7 @@ ParameterPoint<double> SightGeometry::parameters(const Corner& corner, const std
       continue;
     const SizedVector<F> m = normal<F>(sides[k]);
     weight[k] = dot(d.value, m.value);
-    const F own = bound_of(d, m, k_of_dot);
+    const F own = dot_rounding(d, m, k_of_dot);
     bound += own;
     largest = std::max(largest, own);
   }

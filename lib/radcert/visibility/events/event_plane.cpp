@@ -23,25 +23,7 @@ double rounded(const Rational& x) {
   return std::numeric_limits<double>::infinity();
 }
 
-PencilPoint pencil_point(Rational x, Rational y) {
-  const ParameterPoint<double> near{rounded(x), rounded(y)};
-  return {.x = std::move(x), .y = std::move(y), .rounded = near};
-}
-
 Rational cross_product(const PencilPoint& a, const PencilPoint& b) { return a.x * b.y - a.y * b.x; }
-
-/// The sign of a x b. Each rounded product has three relative errors of at most u = 2^-53, two of its factors
-/// and its own, and the difference one more: with those of the computed size less than 8 u size in all. What
-/// is not finite is decided exactly.
-int cross_sign(const PencilPoint& a, const PencilPoint& b) {
-  const double first = a.rounded.s * b.rounded.t;
-  const double second = a.rounded.t * b.rounded.s;
-  const double size = std::abs(first) + std::abs(second);
-  const double difference = first - second;
-  constexpr double eight_roundings = 0x1p-50;
-  if (std::isfinite(size) && std::abs(difference) > eight_roundings * size) return difference > 0 ? 1 : -1;
-  return cross_product(a, b).sign();
-}
 
 /// Whether both lie in one open quadrant that no line of the pencil enters.
 bool beside_pencil(const PencilPoint& p, const PencilPoint& q) {
@@ -60,6 +42,21 @@ std::optional<Rational> line_through(const PencilPoint& point) {
 }
 
 }  // namespace
+
+PencilPoint pencil_point(Rational x, Rational y) {
+  const ParameterPoint<double> near{rounded(x), rounded(y)};
+  return {.x = std::move(x), .y = std::move(y), .rounded = near};
+}
+
+int cross_sign(const PencilPoint& a, const PencilPoint& b) {
+  const double first = a.rounded.s * b.rounded.t;
+  const double second = a.rounded.t * b.rounded.s;
+  const double size = std::abs(first) + std::abs(second);
+  const double difference = first - second;
+  constexpr double eight_roundings = 0x1p-50;
+  if (std::isfinite(size) && std::abs(difference) > eight_roundings * size) return difference > 0 ? 1 : -1;
+  return cross_product(a, b).sign();
+}
 
 PlaneSigns plane_signs(const Scene& scene, const EventEdges& edges, const Vector<double>& a,
                        const Vector<double>& b, const Vector<double>& c) {

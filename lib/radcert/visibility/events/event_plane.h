@@ -28,13 +28,22 @@ struct PencilFrame {
   Vector<Rational> to;    ///< another one that is independent of it: of the lines between them
 };
 
-/// A point of an event plane: its exact coordinates, and the same rounded to nearest.
+/// A point of an event plane: its exact coordinates, and the same rounded to nearest, or infinite where that
+/// is so small or large that a product of two might not be a normal number.
 /// Maths     centre + x from + y to
 struct PencilPoint {
   Rational x;
   Rational y;
   ParameterPoint<double> rounded;
 };
+[[nodiscard]] PencilPoint pencil_point(Rational x, Rational y);
+
+/// The sign of a x b.
+/// Maths     each rounded product has three relative errors of at most u = 2^-53, two of its factors and its
+///           own, and the difference one more: with those of the computed size less than 8 u size in all.
+///           What is within that or not finite is decided exactly
+/// Result    exact
+[[nodiscard]] int cross_sign(const PencilPoint& a, const PencilPoint& b);
 
 /// A triangle that crosses the plane.
 struct PlaneCrossing {
