@@ -10,6 +10,8 @@
 #include <string>
 
 #include "radcert/core/contract.h"
+#include "radcert/scalar/functions/bernoulli_numbers.h"
+#include "radcert/scalar/rational.h"
 #include "tests/scalar/draw.h"
 
 namespace radcert {
@@ -69,6 +71,25 @@ Polar draw_polar(Draw& draw) {
     default: break;
   }
   return z;
+}
+
+TEST(BernoulliNumbers, HaveTheirRecurrence) {
+  // sum_(j <= n) binom(n+1, j) B_j = 0, B_0 = 1, B_1 = -1/2, and the others of odd order 0.
+  const auto of_order = [](std::size_t n) {
+    if (n < 2) return n == 0 ? Rational(1) : Rational(-1, 2);
+    if (n % 2 != 0) return Rational(0);
+    const auto& [numerator, denominator] = bernoulli_numbers[n / 2 - 1];
+    return Rational::exactly(numerator) / Rational::exactly(denominator);
+  };
+  for (std::size_t n = 1; n <= 2 * bernoulli_numbers.size(); ++n) {
+    Rational sum;
+    Rational binomial = 1;
+    for (std::size_t j = 0; j <= n; ++j) {
+      sum += binomial * of_order(j);
+      binomial *= Rational(n + 1 - j) / Rational(j + 1);
+    }
+    EXPECT_EQ(sum.sign(), 0) << n;
+  }
 }
 
 TEST(DilogarithmImaginary, IsCatalansAndGiesekingsConstant) {

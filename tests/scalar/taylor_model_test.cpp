@@ -234,6 +234,19 @@ TEST(TaylorModel, KeepsConstantsAndZeroExact) {
   EXPECT_EQ(TaylorModel(Rational(1, 4)).remainder(), 0);
 }
 
+TEST(TaylorModel, KeepsConstantsReal) {
+  Draw draw(81);
+  for (const Function& f : functions())
+    for (int k = 0; k < 50; ++k) {
+      const TaylorModel x(widened(Ball(0.1 + draw.unit()), Ball(k % 2 == 0 ? 0 : 1e-3)));
+      const TaylorModel y(Ball(Rational(static_cast<long>(draw.below(100)) + 1, 77)));
+      for (const TaylorModel& value : {f.model(x, y), f.model(y, x), f.model(-x, y)})
+        if (value.is_finite()) {
+          EXPECT_EQ(value.centre().imag, 0) << f.name;
+        }
+    }
+}
+
 TEST(TaylorModel, CarriesDividedDifferencesOfPowers) {
   // phi[a,a,b] for phi = x^(5/2), a fixed, the step a model around zero and away from it.
   const Exponent<TaylorModel> exponent(Rational(5, 2));

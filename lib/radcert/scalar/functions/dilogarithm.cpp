@@ -17,6 +17,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/work_limit.h"
 #include "radcert/scalar/ball_access.h"
+#include "radcert/scalar/functions/bernoulli_numbers.h"
 
 namespace radcert {
 
@@ -25,21 +26,9 @@ namespace {
 const WorkLimit most_bits("scalar/dilogarithm: bits for a rounded value", 65536, BallPrecision::smallest_bits,
                           "refused: ContractViolation names the angle");
 
-// Bernoulli's numbers B_2, B_4, ... as numerator and denominator. With |u| <= 1.26 the first term left out is
-// below 2 (1.26 / (2 pi))^26 / 27 < 2^-61 of the sum, in either series.
-constexpr std::size_t term_count = 12;
-constexpr std::array<std::array<double, 2>, term_count> bernoulli{{{1, 6},
-                                                                   {-1, 30},
-                                                                   {1, 42},
-                                                                   {-1, 30},
-                                                                   {5, 66},
-                                                                   {-691, 2730},
-                                                                   {7, 6},
-                                                                   {-3617, 510},
-                                                                   {43867, 798},
-                                                                   {-174611, 330},
-                                                                   {854513, 138},
-                                                                   {-236364091, 2730}}};
+// With |u| <= 1.26 the first term left out is below 2 (1.26 / (2 pi))^26 / 27 < 2^-61 of the sum, in either
+// series.
+constexpr std::size_t term_count = bernoulli_numbers.size();
 
 /// B_2k / (2k+1)!, or B_2k / (2k (2k+1)!), for k = 1, 2, ...
 constexpr std::array<double, term_count> series_coefficients(bool divided) {
@@ -48,7 +37,8 @@ constexpr std::array<double, term_count> series_coefficients(bool divided) {
   for (std::size_t k = 1; k <= term_count; ++k) {
     const auto n = static_cast<double>(2 * k);
     factorial *= n * (n + 1);
-    coefficients[k - 1] = bernoulli[k - 1][0] / (bernoulli[k - 1][1] * factorial * (divided ? n : 1.0));
+    coefficients[k - 1] =
+        bernoulli_numbers[k - 1][0] / (bernoulli_numbers[k - 1][1] * factorial * (divided ? n : 1.0));
   }
   return coefficients;
 }
