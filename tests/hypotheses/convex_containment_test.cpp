@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 
@@ -156,6 +157,48 @@ TEST(ConvexContainment, KnowsTheDepthOfADent) {
   EXPECT_FALSE(found.within_precision);
   EXPECT_EQ(found.violated_planes, 4U);
   EXPECT_NEAR(found.relative_depth, 0.5 / std::sqrt(18.0 / 16) / 3, 1e-15);
+}
+
+TEST(ConvexContainment, NamesTheDeepestOfAllDents) {
+  // Against every plane and every vertex. Seen from the wrong side every plane is violated, each by another
+  // depth.
+  std::mt19937_64 stream(4);
+  constexpr Orientation outwards = Orientation::along_the_cross_product;
+  int first = 0;
+  int last = 0;
+  for (int k = 0; k < 15; ++k) {
+    const TriangleMesh mesh = random_polyhedron(stream);
+    Vector<double> low = mesh.vertices[mesh.triangles[0][0]];
+    Vector<double> high = low;
+    std::vector<double> depths;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto corners = mesh.corners(t);
+      const Vector<Rational> a = exactly(corners[0]);
+      const Vector<Rational> normal = cross(exactly(corners[1]) - a, exactly(corners[2]) - a);
+      Rational most;
+      for (const VertexTriple& other : mesh.triangles)
+        for (const std::size_t v : other) {
+          const Vector<double>& p = mesh.vertices[v];
+          low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+          high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+          most = std::max(most, abs(dot(normal, exactly(p) - a)));
+        }
+      depths.push_back(std::sqrt((most * most / dot(normal, normal)).to_double()));
+    }
+    const double deepest = *std::max_element(depths.begin(), depths.end());
+    const ConvexContainment found = convex_containment(mesh, outwards, 0);
+    ASSERT_EQ(found.verdict, Containment::refuted);
+    EXPECT_NEAR(found.relative_depth, deepest / norm(high - low), 1e-12 * deepest / norm(high - low)) << k;
+    const ContainmentWitness& witness = *found.witness;
+    EXPECT_NEAR(std::abs(witness.product.to_double()) /
+                    std::sqrt(dot(witness.inner_normal, witness.inner_normal).to_double()),
+                deepest, 1e-12 * deepest)
+        << k;
+    first += depths.front() < deepest ? 1 : 0;
+    last += depths.back() < deepest ? 1 : 0;
+  }
+  EXPECT_GE(first, 8);
+  EXPECT_GE(last, 8);
 }
 
 TEST(ConvexContainment, TellsRoundingFromDents) {
