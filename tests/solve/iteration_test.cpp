@@ -4,9 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
+#include "radcert/core/files/kept_numbers.h"
 #include "radcert/core/interrupt.h"
 #include "radcert/core/parallel.h"
 #include "radcert/scalar/real.h"
@@ -136,9 +141,8 @@ TEST_P(Iteration, KeepsToTheTolerance) {
   }
 }
 
-TEST_P(Iteration, SaysSoWhereTheToleranceIsOutOfReach) {
-  // A row-stochastic matrix times 0.999: the rounding of u alone gives a bound of about 1000 u.
-  std::mt19937_64 random(45);
+/// A row-stochastic matrix times 0.999: the rounding of u alone gives a bound of about 1000 u.
+Matrix<double> nearly_stochastic(std::mt19937_64& random) {
   Matrix<double> k =
       test::matrix(30, [&](std::size_t, std::size_t) { return 1 + test::uniform(random) / 2; });
   for (std::size_t i = 0; i < 30; ++i) {
@@ -146,6 +150,12 @@ TEST_P(Iteration, SaysSoWhereTheToleranceIsOutOfReach) {
     for (std::size_t j = 0; j < 30; ++j) sum += k(i, j);
     for (std::size_t j = 0; j < 30; ++j) k(i, j) *= 0.999 / sum;
   }
+  return k;
+}
+
+TEST_P(Iteration, SaysSoWhereTheToleranceIsOutOfReach) {
+  std::mt19937_64 random(45);
+  const Matrix<double> k = nearly_stochastic(random);
   const Values e = test::random_values(random, 30);
   const auto demanded = solve(k, e, least_tolerance);
   ASSERT_FALSE(demanded);
@@ -250,6 +260,60 @@ TEST_P(Iteration, StopsWhenAskedTo) {
   request_interruption();
   EXPECT_THROW(static_cast<void>(solve(k, contraction, Values(4, 1), std::nullopt)), Interrupted);
   clear_interruption();
+}
+
+/// Keeps numbers, and stops the work after so many times.
+class StoppingMemory final : public KeptNumbers {
+public:
+  explicit StoppingMemory(int times) : left_(times) {}
+  std::optional<std::vector<double>> find(const std::string& name) override {
+    const auto at = numbers_.find(name);
+    return at == numbers_.end() ? std::nullopt : std::optional(at->second);
+  }
+  void keep(const std::string& name, std::span<const double> kept) override {
+    numbers_[name].assign(kept.begin(), kept.end());
+    if (--left_ == 0) throw Interrupted();
+  }
+
+private:
+  std::map<std::string, std::vector<double>> numbers_;
+  int left_;
+};
+
+TEST_P(Iteration, GoesOnFromWhatItKeptAsIfItHadNotStopped) {
+  // Where it reaches its goal, and where it gives up: after as many corrections as without a stop.
+  std::mt19937_64 random(51);
+  const Matrix<double> k = nearly_stochastic(random);
+  const Contraction contraction = find_contraction(k).value();
+  const Values e = test::random_values(random, 30);
+  int stopped = 0;
+  for (const double tolerance : {1e-3, least_tolerance}) {
+    const auto run = [&](KeptNumbers* kept) {
+      return find_linear_solver(GetParam())->iterate(k, contraction, e, tolerance, kept);
+    };
+    const auto whole = run(nullptr);
+    EXPECT_EQ(whole.has_value(), tolerance > least_tolerance);
+    for (const int times : {1, 2, 3, 40}) {
+      StoppingMemory memory(times);
+      try {
+        static_cast<void>(run(&memory));
+      } catch (const Interrupted&) {
+        ++stopped;
+      }
+      const auto rest = run(&memory);
+      ASSERT_EQ(rest.has_value(), whole.has_value()) << times;
+      if (whole) {
+        EXPECT_EQ(rest->values, whole->values) << times;
+        EXPECT_EQ(rest->iterations, whole->iterations) << times;
+        EXPECT_EQ(rest->error_bound, whole->error_bound) << times;
+      } else {
+        EXPECT_EQ(rest.reason().iterations, whole.reason().iterations) << times;
+        EXPECT_EQ(rest.reason().error_bound, whole.reason().error_bound) << times;
+        EXPECT_EQ(rest.reason().size, whole.reason().size) << times;
+      }
+    }
+  }
+  EXPECT_GE(stopped, 2);
 }
 
 TEST_P(Iteration, RefusesWhatDoesNotFit) {
