@@ -359,6 +359,28 @@ TEST(CertifiedChartEntries, AreWithinTheDemandAndHoldTheReflectivity) {
   EXPECT_EQ(found->radius(0, 3), 0);
 }
 
+TEST(CertifiedChartEntries, AreRefusedWhereRoundingsAreWiderThanTheDemand) {
+  const Surface surface = two_piece(2);
+  const Triangulation triangulation = triangulate(surface, 0);
+  const LagrangeFunctions functions = inset_functions(1, Rational(1, 6));
+  const std::size_t n = triangulation.triangles.size() * functions.size();
+  int given = 0;
+  int refused = 0;
+  for (const double wanted : {1e-11, 1e-12, 3e-13, 1e-13, 3e-14, 1e-14}) {
+    const Outcome<CertifiedEntries> found =
+        certified_chart_entries(surface, triangulation, functions, std::vector<double>(n, 1.0), wanted);
+    ++(found ? given : refused);
+    if (!found) continue;
+    for (std::size_t i = 0; i < n; ++i) {
+      double radius = 0;
+      for (std::size_t j = 0; j < n; ++j) radius += found->radius(i, j);
+      EXPECT_LE(radius, wanted) << "row " << i;
+    }
+  }
+  EXPECT_GE(given, 1);
+  EXPECT_GE(refused, 1);
+}
+
 /// Two enclosures of the same numbers meet.
 TEST(CertifiedCollocation, IsTheMatrixAndTheOperator) {
   const Surface surface = two_piece(3);

@@ -201,6 +201,43 @@ TEST(CertifiedEntries, RefusesFunctionsThatDoNotHaveTheSumOne) {
   EXPECT_FALSE(certified_entries(triangles, functions, ones(triangles, functions)).has_value());
 }
 
+/// Accuracy times max |l_j|: what integrals are off by, over Int |G|.
+double relative_error(const IntegralErrors& errors) {
+  return PlaneElement::usual_accuracy * errors.largest_value();
+}
+
+TEST(IntegralErrors, CountWhatTheSumOfTheIntegralsIsOffBy) {
+  // Nodes so near to each other that functions are as large as is allowed. Int G = 1 is the sum of the exact
+  // integrals, of which each is found too small by as much as its error may be.
+  const Rational apart(1, 2000000000000);
+  const Rational third(1, 3);
+  std::vector<Barycentric<Rational>> nodes;
+  for (std::size_t i = 0; i < 3; ++i) {
+    Barycentric<Rational> node{third - apart, third - apart, third - apart};
+    node.x[i] = third + Rational(2) * apart;
+    nodes.push_back(node);
+  }
+  const IntegralErrors errors = IntegralErrors::of(lagrange_functions(nodes).value()).value();
+  const double error = relative_error(errors);
+  ASSERT_GT(error, 1e-3);
+  const std::array<double, 3> found{0.5 - error, 0.375 - error, 0.125 - error};
+  EXPECT_GE(errors.bound(found), error * (1 - 1e-12));
+  EXPECT_LE(errors.bound(found), error * (1 + 1e-9));
+}
+
+TEST(IntegralErrors, CountTheRoundingsOfTheSumOfTheIntegrals) {
+  // 1 and -1 cancel, and what is between them is lost in the sum.
+  const IntegralErrors errors = IntegralErrors::of(inset_functions(1, Rational(1, 6))).value();
+  const double between = 0.99 * 0x1p-53;
+  EXPECT_GE(errors.bound(std::array{1.0, between, -1.0}), relative_error(errors) * between);
+}
+
+TEST(IntegralErrors, CountWhatUnderflows) {
+  // An integral that was rounded to zero.
+  const IntegralErrors errors = IntegralErrors::of(inset_functions(1, Rational(1, 6))).value();
+  EXPECT_GE(errors.bound(std::array{0.0, 0.0, 0.0}), std::numeric_limits<double>::denorm_min());
+}
+
 TEST(CertifiedEntries, RefusesOtherNumbersOfReflectivitiesAndDegenerateElements) {
   const LagrangeFunctions functions = inset_functions(0, Rational(0));
   Triangles triangles = cube(1, 1);
