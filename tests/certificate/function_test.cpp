@@ -160,6 +160,20 @@ TEST(VertexMass, BoundsWhatTheNeighbourhoodsOfVerticesSend) {
   EXPECT_GT(closest, 0.6);
 }
 
+TEST(VertexMass, IsPutTogetherAsItIsStated) {
+  // A face of the unit cube has four vertices in its plane, and four at the height 1; h = 1.
+  const VertexMass mass(test::bare_certificate("cube", 1, 0, 1));
+  const auto half_cone = [](double sine) {
+    return (std::asin(sine) - sine * std::sqrt(1 - sine * sine)) / std::numbers::pi;
+  };
+  for (const auto& [a, d] : {std::pair(0.125, 0.25), std::pair(0.125, 0.625), std::pair(0.25, 0.5),
+                             std::pair(0.0625, 0.75), std::pair(0.001953125, 0.125)}) {
+    const double expected = half_cone(a / d) + 3 * half_cone(2 * a / std::max(2 * d, 1.0)) + 4 * a * a;
+    const Ball found = mass(Rational::exactly(a), Rational::exactly(d));
+    EXPECT_NEAR(found.to_double(), std::min(1.0, expected), 1e-12) << a << " " << d;
+  }
+}
+
 TEST(VertexMass, GrowsWithTheRadiusAndFallsWithTheDistance) {
   for (const std::string name : {"cube", "tetrahedron", "octahedron"}) {
     const VertexMass mass(test::bare_certificate(name, 1, 0, 1));
