@@ -499,7 +499,7 @@ TEST(PieceMeans, CountTheRoundingsOfTheirSums) {
     ++before;
   }
   const Trial trial(scene, black, elements, staircase, SectorFunctions(elements.size(), 1, 0));
-  const std::vector<Approximation> found = goals->of_density(trial);
+  const std::vector<Approximation> found = goals->of_density(trial, 1e-9);
   const std::vector<Ball> areas = doubled_areas(scene.panels(), goals->count());
   for (std::size_t k = 0; k < goals->count(); ++k) {
     const Rational off = abs(exact_functional(trial, k) - Rational::exactly(found[k].value));
@@ -517,7 +517,7 @@ TEST(PieceMeans, AreThoseOfFunctionsThatVary) {
   Draw draw(53);
   const Trial trial(scene, black, elements, test::drawn_functions(elements.size(), 1, 2, draw),
                     SectorFunctions(elements.size(), 1, 2));
-  const std::vector<Approximation> found = goals->of_density(trial);
+  const std::vector<Approximation> found = goals->of_density(trial, 1e-9);
   for (std::size_t k = 0; k < goals->count(); ++k) {
     EXPECT_LE(abs(exact_functional(trial, k) - Rational::exactly(found[k].value)),
               Rational::exactly(found[k].radius));
@@ -536,7 +536,7 @@ TEST(PieceMeans, CountWhatFunctionsAreOffBy) {
   const std::vector<Ball> areas = doubled_areas(scene.panels(), goals->count());
   for (std::size_t k = 0; k < goals->count(); ++k) {
     const double area = 0.5 * areas[k].to_double();
-    const Approximation functional = goals->of_density(trial)[k];
+    const Approximation functional = goals->of_density(trial, 1e-9)[k];
     EXPECT_GE(functional.radius, 0.25 * area);
     EXPECT_LE(functional.radius, 0.25 * area * (1 + 1e-9));
   }
