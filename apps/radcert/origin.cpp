@@ -14,6 +14,7 @@
 #include "radcert/core/files/atomic_file.h"
 #include "radcert/core/memory_plan.h"
 #include "radcert/core/parallel.h"
+#include "radcert/study/graded_levels.h"
 #include "run_ranks.h"
 #include "verification/framework/reading/embedded.h"
 
@@ -103,6 +104,9 @@ std::string notes_on_meshes(std::span<const Problem> problems) {
     if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
   };
   for (const Problem& problem : problems) {
+    if (problem.triangulation.grading != Rational(1) && !problem.guarantee)
+      for (const std::string& remark : grading_remarks(problem, surface_of(problem)))
+        add("Remark: " + remark + "\n");
     const std::optional<MeshChoice>& mesh = problem.surface.mesh;
     if (!mesh) continue;
     if (const auto& events = problem.triangulation.events)

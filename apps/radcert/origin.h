@@ -34,8 +34,8 @@ std::vector<InputDigest> inputs_named_in(std::span<const Problem> problems);
 /// InputError where a rank has another file of one of these names than the first one.
 void require_same_named_files(std::span<const Problem> problems);
 
-/// What was mended in the meshes of problems, and what looks like a slip in them, a line each: "Mended:
-/// room.off: face 7 (line 31), bent ...". Empty where there is nothing to tell.
+/// What was mended in the meshes of problems, and what looks like a slip in them or their triangulations, a
+/// line each: "Mended: room.off: face 7 (line 31), bent ...". Empty where there is nothing to tell.
 std::string notes_on_meshes(std::span<const Problem> problems);
 
 /// The keys of the works that the method of a problem is taken from.

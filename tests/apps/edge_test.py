@@ -115,6 +115,30 @@ class Edge(ProgramTest):
                                     "triangulation": {"levels": [0]}})
         self.assertNotIn("edge_grading", json.loads(self.expect(0, "solve", "uniform.json", "--json", "-")))
 
+    def test_what_is_proved_of_a_graded_triangulation_is_about_the_vertices_of_double(self):
+        schema = json.loads(self.expect(0, "schema", "solution"))
+        base = {"schema": "radcert/problem/1", "surface": {"name": "cube"}, "basis": {"family": "inset", "degree": 0},
+                "reflectivity": "1/2", "emission": {"floor": "1", "*": "0"}}
+
+        def graded(grading, solver, *levels):
+            return self.write("graded.json", {**base, "triangulation": {"levels": [*levels], "grading": grading},
+                                              "solver": {"name": solver}})
+        for grading, levels, rounded in (("3/2", (1, 2), [2]), (3, (1, 2), [])):
+            file = graded(grading, "verified", *levels)
+            result = json.loads(self.expect(0, "solve", file, "--json", "-"))
+            jsonschema.validate(result, schema)
+            self.assertEqual(result["rounded_levels"], rounded)
+            said = "rounded to double (levels 2)" in self.expect(0, "solve", file)
+            self.assertEqual(said, bool(rounded))
+        # The vertex beside 1 is a quarter of the width of the elements off there.
+        done = self.run_program("solve", graded("51.6", "verified", 2))
+        self.assertEqual(done.returncode, 2)
+        message = done.stderr.decode()
+        for words in ("/triangulation/grading", "258/5", "up to 32", "up to 52"):
+            self.assertIn(words, message)
+        self.assertIn("Remark: the grading 258/5 makes elements of the width 1.5e-16 at level 2",
+                      self.expect(0, "solve", graded("51.6", "direct", 2)))
+
     def test_small_angles_are_refused_before_the_work(self):
         found = self.edge("--angle", "3", "--rho", "1/2", code=1)
         self.assertIsNone(found["exponents"])

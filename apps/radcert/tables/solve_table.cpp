@@ -13,6 +13,7 @@
 #include "radcert/solve/estimated_contraction.h"
 #include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/errors/error_order.h"
+#include "radcert/study/graded_levels.h"
 #include "tables/number_cells.h"
 
 namespace radcert::app {
@@ -274,6 +275,10 @@ std::string guarantee_text(const Result& result) {
     out += (i == 0 ? "" : ", ") + upper_text(result.levels[i].solution_radius.value()) + " (level " +
            std::to_string(result.levels[i].level) + ")";
   out += ".\n";
+  if (const std::vector<int> levels = rounded_levels(result.problem, surface_of(result.problem));
+      !levels.empty())
+    out += "  Of the grading's vertices, rounded to double (levels " + numbers(levels) +
+           "): what is proved is about the triangulation with these.\n";
   if (result.problem.solution)
     out +=
         "  |K(I-P_n)u| and |u-u_n| at the nodes lie within the radii (+-), all errors and the printed digits "

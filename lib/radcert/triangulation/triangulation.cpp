@@ -36,11 +36,11 @@ std::vector<ParameterTriangle> refined(const std::vector<ParameterTriangle>& coa
   return fine;
 }
 
-double graded(double c, double exponent) {
-  return c <= 0.5 ? 0.5 * std::pow(2 * c, exponent) : 1 - 0.5 * std::pow(2 * (1 - c), exponent);
-}
-
 }  // namespace
+
+double graded_coordinate(double c, double grading) {
+  return c <= 0.5 ? 0.5 * std::pow(2 * c, grading) : 1 - 0.5 * std::pow(2 * (1 - c), grading);
+}
 
 ParameterTriangle child_of(const ParameterTriangle& triangle, std::size_t c) {
   expects(c < 4, "a child from 0 to 3", named("child", c));
@@ -113,7 +113,7 @@ Triangulation triangulate(const Surface& surface, int level, const Triangulation
     for (ParameterTriangle& triangle : result.triangles) {
       if (surface.charts[triangle.chart].facts().domain != ChartDomain::unit_square) continue;
       for (ParameterPoint<double>& v : triangle.vertices)
-        v = {graded(v.s, options.grading), graded(v.t, options.grading)};
+        v = {graded_coordinate(v.s, options.grading), graded_coordinate(v.t, options.grading)};
     }
   }
   return result;

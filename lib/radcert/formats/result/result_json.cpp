@@ -15,6 +15,7 @@
 #include "radcert/formats/problem/problem_parts.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/study/edge_grading.h"
+#include "radcert/study/graded_levels.h"
 
 namespace radcert {
 
@@ -221,9 +222,12 @@ JsonValue result_json(const Result& result, const std::string& command) {
   JsonValue out = document_head("solution", command);
   out.set("problem", problem_json(result.problem));
   out.set("levels", json_array(result.levels, level_json));
-  if (result.problem.triangulation.grading != Rational(1))
-    if (const auto asked = known_edge_grading(result.problem, surface_of(result.problem)))
+  if (result.problem.triangulation.grading != Rational(1)) {
+    const Surface surface = surface_of(result.problem);
+    if (const auto asked = known_edge_grading(result.problem, surface))
       out.set("edge_grading", edge_grading_json(*asked));
+    if (!result.enclosure) out.set("rounded_levels", json_array(rounded_levels(result.problem, surface)));
+  }
   if (const auto& events = result.problem.triangulation.events) out.set("events", events_json(*events));
   if (result.enclosure) out.set("enclosure", enclosure_json(*result.enclosure));
   out.set("orders", orders_json(result.orders));

@@ -11,6 +11,7 @@
 #include "radcert/polynomial/basis_limits.h"
 #include "radcert/solve/linear_solver.h"
 #include "radcert/study/collocation/matrix_form.h"
+#include "radcert/study/graded_levels.h"
 #include "radcert/study/levels_within_memory.h"
 #include "radcert/study/problem.h"
 #include "radcert/surface/interpolated_chart.h"
@@ -101,6 +102,8 @@ void check(const Problem& problem, const Collocation& method, const Surface& sur
   check_levels(problem, surface, memory_limit, [&](int, std::uint64_t triangles) {
     return LevelSize{.count = triangles, .counted = "triangles", .memory = level_plan(problem, triangles)};
   });
+  if (find_linear_solver(problem.solver.name)->proves())
+    for (const int level : problem.triangulation.levels) require_known_layers(problem, surface, level);
   check_nodes(problem, method.basis, surface);
 }
 

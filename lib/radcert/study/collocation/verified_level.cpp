@@ -39,6 +39,7 @@
 #include "radcert/study/collocation/nodal_description.h"
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/collocation/operator_norm.h"
+#include "radcert/study/graded_levels.h"
 #include "radcert/study/stopwatch.h"
 
 namespace radcert {
@@ -67,6 +68,7 @@ void require_provable(const Problem& problem, int level) {
            "the problem is posed on an interpolant, which is not proved to lie in the boundary of a convex "
            "body");
   const Surface surface = surface_of(problem);
+  require_known_layers(problem, surface, level);
   if (!surface.unoccluded && problem.solution)
     refuse(level,
            "parts of the surface hide each other, and Ku over the visible parts is not enclosed; with "

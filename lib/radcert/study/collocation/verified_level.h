@@ -9,9 +9,11 @@ namespace radcert {
 
 /// Solves a problem at one level with a proof.
 /// Maths     (I - K_n) d = K(I - P_n)u with d = u - u_n at the nodes, u given; (I - K_n) u_n = E, E given.
-///           Entries of K_n, u, rho, E and Ku are enclosed at nodes that are known exactly; d and u_n are
-///           enclosed for all systems within the radii. With an interpolated geometry K_n is that of the
-///           interpolant, the data and Ku are those of S
+///           Entries of K_n, u, rho, E and Ku are enclosed at nodes that are known exactly: their elements
+///           have vertices that are doubles, of a graded triangulation rounded ones, and their barycentric
+///           coordinates are rational, or stand for irrational ones. d and u_n are enclosed for all systems
+///           within the radii. With an interpolated geometry K_n is that of the interpolant, the data and Ku
+///           are those of S
 /// Source    [ac98, (40)-(41)]; certified_plane_entries and plane_operator where S is plane and u a
 ///           polynomial of at most degree 8 on it, certified_collocation elsewhere, certified_chart_entries
 ///           and certified_operator on interpolants; verified_system. Held as clusters, where `operator` is
@@ -25,10 +27,13 @@ namespace radcert {
 ///           be had: a problem posed on an interpolant, or one whose points are rounded to double, a surface
 ///           that is not proved to lie in the boundary of a convex body, an expression that is not proved to
 ///           have its value, a reflectivity that is not proved to lie in [0,1] at the nodes or, where S is
-///           closed or E given, below 1 on S; Interrupted when asked to stop The radii are those that the
+///           closed or E given, below 1 on S; Interrupted when asked to stop. The radii are those that the
 ///           problem's quadrature tolerance asks for, or up to 64 times as wide where double holds no more
 /// Limits    uniform_error, piece_means and, on open surfaces, norm_K are not proved. The superconvergent
-///           alpha of an odd degree is the rational number within 10^-100 that stands for it
+///           alpha of an odd degree is the rational number within 10^-100 that stands for it, the irrational
+///           coordinates of symmetric nodes have 60 digits and those of a file 70, and vertices of a graded triangulation that are no
+///           doubles are the rounded ones, see grading_in_double; require_known_layers refuses the level where that
+///           is another triangulation
 LevelOutcome verified_level(const Problem& problem, int level, const OperatorRoute& route);
 
 }  // namespace radcert
