@@ -94,11 +94,15 @@ public:
   /// [value - radius, value + radius] in [text - around, text + around].
   void encloses(const std::string& text, const std::string& around, double value, double radius,
                 const std::string& what) {
+    encloses(text, around, exactly(value), exactly(radius), what);
+  }
+  void encloses(const std::string& text, const std::string& around, const Rational& value,
+                const Rational& radius, const std::string& what) {
     const std::string said =
-        what + ": '" + text + "' +- '" + around + "' for " + exact_text(value) + " +- " + exact_text(radius);
+        what + ": '" + text + "' +- '" + around + "' for " + value.to_text() + " +- " + radius.to_text();
     const auto t = read(text);
     const auto s = read(around);
-    expect(t && s && abs(exactly(value) - *t) + exactly(radius) <= *s, said);
+    expect(t && s && abs(value - *t) + radius <= *s, said);
   }
   void is_above(const std::string& text, const Rational& bound, const std::string& what) {
     const auto t = read(text);
@@ -438,11 +442,12 @@ FactorReport some_report(Draw& draw) {
   std::vector<FactorComparison> pairs;
   for (std::size_t k = 0; k < 3; ++k) {
     const double ours = draw.unit();
-    const double theirs = draw.below(2) == 0 ? std::nextafter(ours, 2.0) : draw.unit();
+    const double near = draw.below(2) == 0 ? std::nextafter(ours, 2.0) : draw.unit();
+    const Rational theirs = exactly(near) * Rational(1000 + static_cast<long>(draw.below(2)), 1000);
     pairs.push_back({.from = "t0",
                      .to = "t0",
                      .ours = {ours, radius_like(draw, ours)},
-                     .theirs = {theirs, radius_like(draw, theirs)}});
+                     .theirs = {theirs, exactly(radius_like(draw, near))}});
   }
   report.comparison = pairs;
   return report;
@@ -495,9 +500,12 @@ TEST(TextAttack, TablesOfFactors) {
               const std::vector<std::string> row = cells(all.at(k + 2));
               judge_pair(faults, head, row, "ours",
                          {{"value", pair.ours.value}, {"radius", pair.ours.radius}});
-              judge_pair(faults, head, row, "theirs",
-                         {{"value", pair.theirs.value}, {"radius", pair.theirs.halfwidth}});
-              faults.is_above(row.at(6), abs(exactly(pair.ours.value) - exactly(pair.theirs.value)), "apart");
+              faults.encloses(row.at(4), row.at(5), pair.theirs.value, pair.theirs.halfwidth, "theirs");
+              const Approximation theirs = pair.theirs.in_double();
+              faults.expect(abs(exactly(theirs.value) - pair.theirs.value) + pair.theirs.halfwidth <=
+                                exactly(theirs.radius),
+                            "theirs in doubles");
+              faults.is_above(row.at(6), abs(exactly(pair.ours.value) - pair.theirs.value), "apart");
             }
             return faults.judgement();
           },

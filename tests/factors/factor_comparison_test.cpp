@@ -26,10 +26,14 @@ FactorMatrix sample_matrix() {
   return matrix;
 }
 
+ClaimedFactor claim(double value, double halfwidth) {
+  return {Rational::exactly(value), Rational::exactly(halfwidth)};
+}
+
 ClaimedFactors claims_of(const FactorMatrix& matrix) {
   ClaimedFactors out;
   for (const ConfigurationFactor& entry : matrix.entries)
-    out[{names[entry.from], names[entry.to]}] = {entry.factor.value, 1e-6};
+    out[{names[entry.from], names[entry.to]}] = claim(entry.factor.value, 1e-6);
   return out;
 }
 
@@ -48,25 +52,45 @@ std::string cause(const ClaimedFactors& claims, const std::string& from, const s
 TEST(FactorComparison, AgreesDiffersOrIsUndecidedAgainstTheRadius) {
   const FactorMatrix matrix = sample_matrix();
   ClaimedFactors claims = claims_of(matrix);
-  claims[{"b", "a"}] = {0.6, 1e-8};
-  claims[{"a", "a"}] = {0, 1e-8};
+  claims[{"b", "a"}] = claim(0.6, 1e-8);
+  claims[{"a", "a"}] = claim(0, 1e-8);
   const auto pairs = compared(matrix, names, claims, {});
   ASSERT_EQ(pairs.size(), 7U);
   EXPECT_EQ(pairs[0].agreement, Agreement::differs);
   EXPECT_EQ(pairs[0].from, "b");
   for (std::size_t k = 1; k < pairs.size(); ++k) EXPECT_EQ(pairs[k].agreement, Agreement::agrees);
-  const auto finer = compared(matrix, names, {{{"a", "b"}, {0.25, 1e-12}}}, {});
+  const auto finer = compared(matrix, names, {{{"a", "b"}, claim(0.25, 1e-12)}}, {});
   // What the other leaves out is zero.
   EXPECT_EQ(finer.front().agreement, Agreement::differs);
   EXPECT_EQ(finer.back().agreement, Agreement::undecided);
-  EXPECT_THROW(static_cast<void>(compared(matrix, names, {{{"d", "a"}, {0, 0}}}, {})), InputError);
+  EXPECT_THROW(static_cast<void>(compared(matrix, names, {{{"d", "a"}, {}}}, {})), InputError);
+}
+
+TEST(FactorComparison, IsOfTheDecimalsInTheFile) {
+  // 30 digits of 1/3 and what is a rounding of double beside it: all of it lies between two doubles.
+  FactorMatrix matrix = sample_matrix();
+  matrix.entries = {{0, 1, {1.0 / 3, 2e-17}}};
+  const auto verdict = [&](const std::string& digits) {
+    return compared(matrix, names, parse_factors("from,to,factor\na,b," + digits + "\n", "f.csv", names), {})
+        .front()
+        .agreement;
+  };
+  ASSERT_EQ(Rational::parse("0.333333333333333339829616")->to_double(), 1.0 / 3);
+  EXPECT_EQ(verdict("0.333333333333333333333333333333"), Agreement::undecided);
+  EXPECT_EQ(verdict("0.333333333333333339829616"), Agreement::differs);
+  EXPECT_EQ(verdict("0.3333333333333333"), Agreement::agrees);
+  // What radcert wrote means the doubles.
+  matrix.entries = {{0, 1, {0.3, 1e-12}}};
+  const std::string own = factors_csv(matrix, names);
+  EXPECT_EQ(compared(matrix, names, parse_factors(own, "own.csv", names), {}).front().agreement,
+            Agreement::agrees);
 }
 
 TEST(FactorComparison, GrantsTheLargerOfBothTolerances) {
   const FactorMatrix matrix = sample_matrix();
   ClaimedFactors claims = claims_of(matrix);
-  claims[{"a", "b"}].value = 0.2525;
-  claims[{"c", "b"}].value = 0.0505;
+  claims[{"a", "b"}].value = Rational::exactly(0.2525);
+  claims[{"c", "b"}].value = Rational::exactly(0.0505);
   const auto count = [&](const FactorTolerance& tolerance) {
     const auto pairs = compared(matrix, names, claims, tolerance);
     return std::count_if(pairs.begin(), pairs.end(),
@@ -92,20 +116,20 @@ TEST(FactorComparison, GuessesAtTheCause) {
   claims[{"c", "a"}].value *= 4;
   EXPECT_EQ(cause(claims, "c", "a"), "exchange area: not divided by the area");
   claims = claims_of(matrix);
-  claims[{"b", "c"}].value *= std::numbers::pi;
+  claims[{"b", "c"}].value *= Rational::exactly(std::numbers::pi);
   EXPECT_EQ(cause(claims, "b", "c"), "without 1/pi");
   claims = claims_of(matrix);
-  claims[{"a", "c"}].value = 0.4;
+  claims[{"a", "c"}].value = Rational::exactly(0.4);
   EXPECT_EQ(cause(claims, "a", "c"), "occlusion missed");
-  claims[{"a", "c"}].value = 0.41;
+  claims[{"a", "c"}].value = Rational::exactly(0.41);
   EXPECT_EQ(cause(claims, "a", "c"), "reciprocity broken");
-  claims[{"c", "a"}].value = 0.205;
+  claims[{"c", "a"}].value = Rational::exactly(0.205);
   EXPECT_EQ(cause(claims, "a", "c"), "");
   // b and c have each other's names.
   claims.clear();
   const auto other = [](const std::string& name) { return name == "b" ? "c" : name == "c" ? "b" : "a"; };
   for (const ConfigurationFactor& entry : matrix.entries)
-    claims[{other(names[entry.from]), other(names[entry.to])}] = {entry.factor.value, 1e-6};
+    claims[{other(names[entry.from]), other(names[entry.to])}] = claim(entry.factor.value, 1e-6);
   EXPECT_EQ(cause(claims, "a", "b"), "b and c swapped");
 }
 
@@ -116,7 +140,8 @@ TEST(FactorComparison, GuessesAtCausesOfManyPairsTogether) {
   for (auto& [pair, claim] : claims) {
     const auto i =
         static_cast<std::size_t>(std::find(names.begin(), names.end(), pair.first) - names.begin());
-    claim = {claim.value * matrix.rows[i].area.value * 1e-6, 1e-12};
+    claim.value *= Rational::exactly(matrix.rows[i].area.value * 1e-6);
+    claim.halfwidth = Rational::exactly(1e-12);
   }
   for (const auto& [pair, claim] : claims)
     EXPECT_EQ(cause(claims, pair.first, pair.second), "exchange area in another unit: A F times 1e-6");
@@ -127,7 +152,7 @@ TEST(FactorComparison, GuessesAtCausesOfManyPairsTogether) {
   claims = claims_of(matrix);
   claims.erase({"a", "b"});
   EXPECT_EQ(cause(claims, "a", "b"), "not in the file");
-  claims[{"a", "b"}] = {-0.3, 1e-6};
+  claims[{"a", "b"}] = claim(-0.3, 1e-6);
   EXPECT_EQ(cause(claims, "a", "b"), "below 0");
 }
 
@@ -152,7 +177,7 @@ TEST(FactorComparison, RefusesFilesByWhatIsWrongInThem) {
 TEST(FactorComparison, IsWrittenAsATableAndAsAPicture) {
   const FactorMatrix matrix = sample_matrix();
   ClaimedFactors claims = claims_of(matrix);
-  claims[{"b", "a"}].value = 0.6;
+  claims[{"b", "a"}].value = Rational::exactly(0.6);
   auto pairs = compared(matrix, names, claims, {});
   explain(pairs, matrix, names, claims, [](std::size_t, std::size_t) { return std::nullopt; });
   const std::string table = comparison_csv(pairs);

@@ -122,7 +122,7 @@ ClaimedFactors claimed_array(const Factors& factors, const py::handle& object, d
                           .allowed = "finite numbers"});
       out.emplace(std::pair(factors.units.names[static_cast<std::size_t>(i)],
                             factors.units.names[static_cast<std::size_t>(j)]),
-                  ClaimedFactor{at(i, j), halfwidth});
+                  ClaimedFactor{Rational::exactly(at(i, j)), Rational::exactly(halfwidth)});
     }
   return out;
 }
@@ -171,8 +171,8 @@ void add_comparison(py::module_& module) {
       .def_property_readonly("ours", [](const FactorComparison& pair) { return pair.ours.value; })
       .def_property_readonly("radius", [](const FactorComparison& pair) { return pair.ours.radius; })
       .def_property_readonly("guaranteed", [](const FactorComparison& pair) { return pair.ours.guaranteed; })
-      .def_property_readonly("theirs", [](const FactorComparison& pair) { return pair.theirs.value; })
-      .def_property_readonly("halfwidth", [](const FactorComparison& pair) { return pair.theirs.halfwidth; })
+      .def_property_readonly("theirs", [](const FactorComparison& pair) { return pair.theirs.in_double().value; })
+      .def_property_readonly("halfwidth", [](const FactorComparison& pair) { return pair.theirs.in_double().radius; })
       .def_property_readonly("difference", [](const FactorComparison& pair) { return pair.difference(); })
       .def_property_readonly(
           "verdict", [](const FactorComparison& pair) { return agreement_word(pair.agreement); },
@@ -180,7 +180,7 @@ void add_comparison(py::module_& module) {
       .def_readonly("cause", &FactorComparison::cause, "where they differ a guess at why, else \"\"")
       .def("__repr__", [](const FactorComparison& pair) {
         return "<FactorPair " + pair.from + " to " + pair.to + ": ours " + shortest(pair.ours.value) +
-               ", theirs " + shortest(pair.theirs.value) + ", " + agreement_word(pair.agreement) +
+               ", theirs " + shortest(pair.theirs.in_double().value) + ", " + agreement_word(pair.agreement) +
                (pair.cause.empty() ? "" : ": " + pair.cause) + ">";
       });
   py::class_<Comparison>(module, "Comparison")

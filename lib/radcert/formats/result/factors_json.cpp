@@ -21,12 +21,13 @@ JsonValue comparison_json(const std::vector<FactorComparison>& pairs) {
   JsonValue worst = JsonValue::array();
   for (std::size_t k = 0; k < std::min(pairs.size(), factors_json_worst); ++k) {
     const FactorComparison& pair = pairs[k];
+    const Approximation theirs = pair.theirs.in_double();
     worst.push(JsonValue::object({{"from", pair.from},
                                   {"to", pair.to},
                                   {"ours", pair.ours.value},
                                   {"radius", pair.ours.radius},
-                                  {"theirs", pair.theirs.value},
-                                  {"halfwidth", pair.theirs.halfwidth},
+                                  {"theirs", theirs.value},
+                                  {"halfwidth", theirs.radius},
                                   {"verdict", agreement_word(pair.agreement)},
                                   {"cause", pair.cause.empty() ? JsonValue() : JsonValue(pair.cause)}}));
   }

@@ -21,25 +21,26 @@ namespace {
 
 Agreement agreement_of(const Approximation& ours, const ClaimedFactor& theirs,
                        const FactorTolerance& tolerance) {
-  const Ball distance = abs(Ball(ours.value) - Ball(theirs.value));
-  const Ball radius(ours.radius);
-  const Ball size = abs(Ball(ours.value));
-  const Ball fixed = max(Ball(theirs.halfwidth), Ball(tolerance.absolute));
-  const Ball relative(tolerance.relative);
-  if (certainly_at_most(distance + radius, max(fixed, relative * max(Ball(0), size - radius))))
-    return Agreement::agrees;
-  if (certainly_less(max(fixed, relative * (size + radius)), distance - radius)) return Agreement::differs;
+  if (!ours.has_radius()) return Agreement::undecided;
+  const Rational value = Rational::exactly(ours.value);
+  const Rational radius = Rational::exactly(ours.radius);
+  const Rational distance = abs(value - theirs.value);
+  const Rational fixed = std::max(theirs.halfwidth, Rational::exactly(tolerance.absolute));
+  const Rational relative = Rational::exactly(tolerance.relative);
+  if (distance + radius <= std::max(fixed, relative * (abs(value) - radius))) return Agreement::agrees;
+  if (distance - radius > std::max(fixed, relative * (abs(value) + radius))) return Agreement::differs;
   return Agreement::undecided;
 }
 
-/// Both matrices by the numbers of the rows.
+/// Both matrices by the numbers of the rows, in doubles: causes are guesses.
 class TwoMatrices {
 public:
   TwoMatrices(const FactorMatrix& matrix, std::span<const std::string> names, const ClaimedFactors& claimed)
       : matrix_(matrix) {
     for (std::size_t i = 0; i < names.size(); ++i) numbers_.emplace(names[i], i);
     for (const ConfigurationFactor& entry : matrix.entries) ours_[{entry.from, entry.to}] = entry.factor;
-    for (const auto& [pair, claim] : claimed) theirs_[{number(pair.first), number(pair.second)}] = claim;
+    for (const auto& [pair, claim] : claimed)
+      theirs_[{number(pair.first), number(pair.second)}] = claim.in_double();
   }
 
   [[nodiscard]] std::size_t size() const { return matrix_.rows.size(); }
@@ -54,17 +55,17 @@ public:
     const auto found = ours_.find({i, j});
     return found == ours_.end() ? Approximation::exact(0) : found->second;
   }
-  [[nodiscard]] ClaimedFactor theirs(std::size_t i, std::size_t j) const {
+  [[nodiscard]] Approximation theirs(std::size_t i, std::size_t j) const {
     const auto found = theirs_.find({i, j});
-    return found == theirs_.end() ? ClaimedFactor{} : found->second;
+    return found == theirs_.end() ? Approximation::exact(0) : found->second;
   }
 
   /// Whether the claim would be this number, up to what is left of the difference.
   [[nodiscard]] bool fits(std::size_t i, std::size_t j, double number, double radius) const {
     constexpr double part = 0.02;
-    const ClaimedFactor claim = theirs(i, j);
+    const Approximation claim = theirs(i, j);
     return std::abs(claim.value - number) <=
-           std::max(claim.halfwidth + radius, part * std::abs(claim.value - ours(i, j).value));
+           std::max(claim.radius + radius, part * std::abs(claim.value - ours(i, j).value));
   }
 
   /// Whether the rows of two surfaces fit once these have changed places, with their columns or without.
@@ -78,9 +79,9 @@ public:
     for (const std::size_t row : {one, other})
       for (std::size_t k = 0; k < size(); ++k) {
         const Approximation expected = ours(swapped(row), with_columns ? swapped(k) : k);
-        const ClaimedFactor claim = theirs(row, k);
+        const Approximation claim = theirs(row, k);
         if (std::abs(claim.value - expected.value) >
-            std::max(claim.halfwidth + expected.radius, part * largest))
+            std::max(claim.radius + expected.radius, part * largest))
           return false;
       }
     return true;
@@ -90,7 +91,7 @@ private:
   const FactorMatrix& matrix_;
   std::map<std::string, std::size_t> numbers_;
   std::map<std::pair<std::size_t, std::size_t>, Approximation> ours_;
-  std::map<std::pair<std::size_t, std::size_t>, ClaimedFactor> theirs_;
+  std::map<std::pair<std::size_t, std::size_t>, Approximation> theirs_;
 };
 
 using Swaps = std::map<std::size_t, std::size_t>;
@@ -123,7 +124,7 @@ std::optional<double> unit_of_area(const TwoMatrices& both, std::span<const Fact
     if (pair.agreement != Agreement::differs || !pair.is_claimed || pair.ours.value <= 10 * pair.ours.radius)
       continue;
     places.emplace_back(i, both.number(pair.to));
-    quotients.push_back(pair.theirs.value / (both.area(i) * pair.ours.value));
+    quotients.push_back(pair.theirs.value.to_double() / (both.area(i) * pair.ours.value));
   }
   if (quotients.size() < fewest) return std::nullopt;
   std::vector<double> sorted = quotients;
@@ -145,7 +146,7 @@ std::string cause_of(const TwoMatrices& both, const FactorComparison& pair, cons
   const std::size_t i = both.number(pair.from);
   const std::size_t j = both.number(pair.to);
   if (!pair.is_claimed) return "not in the file";
-  if (pair.theirs.value < 0) return "below 0";
+  if (pair.theirs.value.sign() < 0) return "below 0";
   for (const std::size_t one : {i, j})
     if (const auto found = common.surfaces.find(one); found != common.surfaces.end())
       return names[one] + " and " + names[found->second] + " swapped";
@@ -167,17 +168,19 @@ std::string cause_of(const TwoMatrices& both, const FactorComparison& pair, cons
   }
   if (fits(std::numbers::pi * ours.value, std::numbers::pi * ours.radius)) return "without 1/pi";
   if (const auto seen = unoccluded(i, j); seen && fits(*seen, 1e-9 * *seen)) return "occlusion missed";
-  const ClaimedFactor there = both.theirs(i, j);
-  const ClaimedFactor and_back = both.theirs(j, i);
+  const Approximation there = both.theirs(i, j);
+  const Approximation and_back = both.theirs(j, i);
   if (std::abs(both.area(i) * there.value - both.area(j) * and_back.value) >
-      1.01 * (both.area(i) * there.halfwidth + both.area(j) * and_back.halfwidth))
+      1.01 * (both.area(i) * there.radius + both.area(j) * and_back.radius))
     return "reciprocity broken";
   return {};
 }
 
 }  // namespace
 
-double FactorComparison::difference() const { return std::abs(ours.value - theirs.value); }
+double FactorComparison::difference() const {
+  return abs(Rational::exactly(ours.value) - theirs.value).to_double();
+}
 
 std::vector<FactorComparison> compared(const FactorMatrix& matrix, std::span<const std::string> names,
                                        const ClaimedFactors& claimed, const FactorTolerance& tolerance) {
@@ -201,14 +204,15 @@ std::vector<FactorComparison> compared(const FactorMatrix& matrix, std::span<con
     pair.theirs = claim;
     pair.is_claimed = true;
   }
-  std::vector<FactorComparison> out;
+  std::vector<std::pair<double, FactorComparison*>> by_difference;
   for (auto& [key, pair] : pairs) {
     pair.agreement = agreement_of(pair.ours, pair.theirs, tolerance);
-    out.push_back(pair);
+    by_difference.emplace_back(pair.difference(), &pair);
   }
-  std::stable_sort(out.begin(), out.end(), [](const FactorComparison& a, const FactorComparison& b) {
-    return a.difference() > b.difference();
-  });
+  std::stable_sort(by_difference.begin(), by_difference.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<FactorComparison> out;
+  for (const auto& [difference, pair] : by_difference) out.push_back(std::move(*pair));
   return out;
 }
 
@@ -243,14 +247,15 @@ std::string comparison_csv(std::span<const FactorComparison> pairs) {
       "from", "to", "ours", "radius", "guaranteed", "theirs", "halfwidth", "difference", "verdict", "cause"};
   CsvTable table(columns);
   for (const FactorComparison& pair : pairs) {
+    const Approximation theirs = pair.theirs.in_double();
     const std::array<JsonValue, columns.size()> row = {
         pair.from,
         pair.to,
         pair.ours.value,
         pair.ours.radius,
         pair.ours.guaranteed,
-        pair.theirs.value,
-        pair.theirs.halfwidth,
+        theirs.value,
+        theirs.radius,
         pair.difference(),
         agreement_word(pair.agreement),
         pair.cause.empty() ? JsonValue() : JsonValue(pair.cause)};
@@ -299,7 +304,7 @@ std::string comparison_svg(std::span<const FactorComparison> pairs, std::span<co
            svg::attribute("y", margin + cell * static_cast<double>(row)) + svg::attribute("width", cell) +
            svg::attribute("height", cell) + colour + "><title>" +
            svg::escaped(pair.from + " to " + pair.to + ": " + JsonValue(pair.ours.value).compact() +
-                        " here, " + JsonValue(pair.theirs.value).compact() + " there, " +
+                        " here, " + JsonValue(pair.theirs.in_double().value).compact() + " there, " +
                         agreement_word(pair.agreement) + (pair.cause.empty() ? "" : ", " + pair.cause)) +
            "</title></rect>\n";
   }

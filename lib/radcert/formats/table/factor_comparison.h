@@ -35,6 +35,7 @@ struct FactorComparison {
   bool is_claimed = false;  ///< whether theirs is in their file, and not taken as 0
   Agreement agreement = Agreement::undecided;
   std::string cause{};  ///< of one that differs: a guess; see explain
+  /// |ours - theirs|, rounded to nearest.
   [[nodiscard]] double difference() const;
 };
 
@@ -44,7 +45,7 @@ struct FactorComparison {
 ///           be, else undecided
 /// Requires  a name for each row; tolerances >= 0
 /// Result    InputError, without a source, for a name that no surface has
-/// Limits    the comparison of the doubles is proved; a claim is the doubles nearest to its decimals
+/// Limits    proved where our radii are: nothing is rounded
 [[nodiscard]] std::vector<FactorComparison> compared(const FactorMatrix& matrix,
                                                      std::span<const std::string> names,
                                                      const ClaimedFactors& claimed,
@@ -73,6 +74,7 @@ void explain(std::vector<FactorComparison>& pairs, const FactorMatrix& matrix,
 
 /// All pairs as CSV, in their order.
 /// Source    the columns from, to, ours, radius, guaranteed, theirs, halfwidth, difference, verdict, cause
+/// Result    theirs and halfwidth in doubles: the nearest, and what holds all of the claim
 [[nodiscard]] std::string comparison_csv(std::span<const FactorComparison> pairs);
 
 /// The matrix as a picture: a cell for each pair, rows from, columns to.

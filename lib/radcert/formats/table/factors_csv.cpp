@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <set>
 
 #include "radcert/core/contract.h"
@@ -13,15 +12,28 @@
 #include "radcert/core/text.h"
 #include "radcert/formats/table/csv.h"
 #include "radcert/formats/table/csv_rows.h"
+#include "radcert/scalar/ball.h"
 
 namespace radcert {
 
 namespace {
 
-/// Half a unit of the last digit of a decimal text.
-double half_a_unit(std::string_view text) {
+/// A cell that csv_number takes, as the decimal that it is.
+Rational exact_number(std::string_view cell, std::size_t line) {
+  csv_number(cell, line);
+  const Outcome<Rational> number = Rational::parse(cell);
+  if (!number)
+    throw InputError({.pointer = line_text(line),
+                      .value = std::string(cell),
+                      .problem = "is not read: " + number.reason(),
+                      .allowed = "a decimal number"});
+  return *number;
+}
+
+/// Half a unit of the last digit of a decimal text that exact_number takes.
+Rational half_a_unit(std::string_view text) {
   const std::size_t e = text.find_first_of("eE");
-  int exponent = 0;
+  long exponent = 0;
   if (e != std::string_view::npos) {
     std::string_view digits = text.substr(e + 1);
     if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
@@ -29,9 +41,17 @@ double half_a_unit(std::string_view text) {
   }
   const std::string_view mantissa = text.substr(0, e);
   const std::size_t point = mantissa.find('.');
-  if (point != std::string_view::npos) exponent -= static_cast<int>(mantissa.size() - point - 1);
-  return 0.5 * std::pow(10.0, exponent);
+  if (point != std::string_view::npos) exponent -= static_cast<long>(mantissa.size() - point - 1);
+  return power(Rational(10), exponent) / Rational(2);
 }
+
+/// A number without a radius.
+ClaimedFactor claim_of(std::string_view cell, std::size_t line) {
+  return {.value = exact_number(cell, line), .halfwidth = half_a_unit(cell)};
+}
+
+/// What a number differs by from the nearest double.
+Rational off_double(const Rational& value) { return abs(value - Rational::exactly(value.to_double())); }
 
 /// A matrix with names about it, of which the first line was read.
 ClaimedFactors parse_matrix(CsvRows& rows, const std::vector<std::string>& head) {
@@ -40,9 +60,7 @@ ClaimedFactors parse_matrix(CsvRows& rows, const std::vector<std::string>& head)
     require_cells(*row, head.size(), rows.line());
     for (std::size_t k = 1; k < head.size(); ++k) {
       const std::string& cell = (*row)[k];
-      const ClaimedFactor claim = cell.empty() ? ClaimedFactor{}
-                                               : ClaimedFactor{.value = csv_number(cell, rows.line()),
-                                                               .halfwidth = half_a_unit(cell)};
+      const ClaimedFactor claim = cell.empty() ? ClaimedFactor{} : claim_of(cell, rows.line());
       if (!out.emplace(std::pair(row->front(), head[k]), claim).second)
         throw InputError({.pointer = line_text(rows.line()),
                           .value = row->front() + " to " + head[k],
@@ -96,14 +114,16 @@ ClaimedFactors parse_csv(std::string_view text, std::span<const std::string> nam
   ClaimedFactors out;
   while (const auto row = rows.next()) {
     require_cells(*row, head->size(), rows.line());
-    ClaimedFactor claim{.value = csv_number((*row)[*factor], rows.line()),
-                        .halfwidth = half_a_unit((*row)[*factor])};
-    if (radius && !(*row)[*radius].empty()) claim.halfwidth = csv_number((*row)[*radius], rows.line());
-    if (claim.halfwidth < 0)
-      throw InputError({.pointer = line_text(rows.line()),
-                        .value = (*row)[*radius],
-                        .problem = "is a radius below 0",
-                        .allowed = "0 or more"});
+    ClaimedFactor claim = claim_of((*row)[*factor], rows.line());
+    if (radius && !(*row)[*radius].empty()) {
+      const Rational given = exact_number((*row)[*radius], rows.line());
+      if (given.sign() < 0)
+        throw InputError({.pointer = line_text(rows.line()),
+                          .value = (*row)[*radius],
+                          .problem = "is a radius below 0",
+                          .allowed = "0 or more"});
+      claim.halfwidth = given + off_double(claim.value);
+    }
     if (!out.emplace(std::pair((*row)[*from], (*row)[*to]), claim).second)
       throw InputError({.pointer = line_text(rows.line()),
                         .value = (*row)[*from] + " to " + (*row)[*to],
@@ -163,8 +183,7 @@ ClaimedFactors parse_view3d(std::string_view text, std::span<const std::string> 
   for (const std::string& from : names)
     for (const std::string& to : names) {
       const std::string_view word = words.next(what);
-      const double value = csv_number(word, words.line());
-      out[{from, to}] = {value, half_a_unit(word)};
+      out[{from, to}] = claim_of(word, words.line());
     }
   return out;
 }
@@ -210,6 +229,10 @@ std::string factor_surfaces_csv(const FactorMatrix& matrix, std::span<const std:
     table.add(row);
   }
   return table.text();
+}
+
+Approximation ClaimedFactor::in_double() const {
+  return {.value = value.to_double(), .radius = Ball(halfwidth + off_double(value)).upper_double()};
 }
 
 ClaimedFactors parse_factors(std::string_view text, const std::string& source,

@@ -12,6 +12,8 @@
 
 #include "radcert/factors/factor_matrix.h"
 #include "radcert/formats/table/csv.h"
+#include "radcert/scalar/approximation.h"
+#include "radcert/scalar/rational.h"
 
 namespace radcert {
 
@@ -42,10 +44,14 @@ private:
 
 /// A factor from another source, to be compared.
 /// Maths     what is claimed: value +- halfwidth
-/// Result    halfwidth: the radius given, else half a unit of the last printed digit
+/// Result    exact: value is the decimal in the file, halfwidth half a unit of its last digit. Where a radius
+///           is given, halfwidth is that and what value differs by from the nearest double, since a number
+///           that radcert writes means that double
 struct ClaimedFactor {
-  double value = 0;
-  double halfwidth = 0;
+  Rational value = 0;
+  Rational halfwidth = 0;
+  /// Value and radius in doubles, the radius so wide that all of the claim is within it.
+  [[nodiscard]] Approximation in_double() const;
 };
 
 /// Factors by the names of both surfaces; what is not there is zero.
