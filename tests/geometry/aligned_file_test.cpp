@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <set>
 #include <vector>
 
+#include "radcert/scalar/rational.h"
 #include "tests/geometry/sample_meshes.h"
 
 namespace radcert {
@@ -119,6 +121,31 @@ TEST(AlignedFile, GivesTheValueThatMostHaveWhereNothingTurns) {
   const MeshFile before = furnished_room([](const Vector<double>& v) { return v; });
   EXPECT_EQ(norm(found->file.vertices.back() - before.vertices.back()), 0);
   EXPECT_NEAR(found->moved, std::sqrt(6.0) * 1e-6, 1e-12);
+}
+
+TEST(AlignedFile, BoundsHowFarCornersWereMoved) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> draw(-1e-6, 1e-6);
+  for (int k = 0; k < 100; ++k) {
+    MeshFile given = furnished_room([](const Vector<double>& v) { return v; });
+    given.precision = {1e-6, "printed with 7 digits"};
+    given.vertices.back() = given.vertices.back() + Vector<double>{draw(random), draw(random), draw(random)};
+    const Outcome<AlignedFile> found = aligned(given);
+    ASSERT_TRUE(found) << found.reason();
+    Rational largest = 0;
+    for (std::size_t i = 0; i < given.vertices.size(); ++i) {
+      const auto square = [](double a, double b) {
+        const Rational apart = Rational::exactly(a) - Rational::exactly(b);
+        return apart * apart;
+      };
+      const Vector<double>& a = given.vertices[i];
+      const Vector<double>& b = found->file.vertices[i];
+      largest = std::max(largest, square(a.x, b.x) + square(a.y, b.y) + square(a.z, b.z));
+    }
+    const Rational bound = Rational::exactly(found->moved);
+    EXPECT_LE(largest, bound * bound);
+    EXPECT_LE(bound * bound, largest * (1 + Rational(1, 1000000000000)));
+  }
 }
 
 TEST(AlignedFile, DoesNotDependOnTheUnit) {

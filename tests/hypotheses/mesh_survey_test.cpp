@@ -220,6 +220,15 @@ TEST(MisorientedComponents, RefusesWhatItCannotDecide) {
   EXPECT_FALSE(outermost_components(mesh, topology));
 }
 
+TEST(MeshSurvey, RoundsUpHowFarCornersWereMoved) {
+  sample::Polyhedron nearly = sample::cube();
+  const auto corner = std::find(nearly.vertices.begin(), nearly.vertices.end(), Vector<double>{1, 1, 1});
+  ASSERT_NE(corner, nearly.vertices.end());
+  *corner = {1.000001, 1.000001, 1};
+  // The root of 2 times 1e-6.
+  EXPECT_THAT(survey_of(nearly, {.align = true}).mended.front(), HasSubstr("moved by 1.42e-6 at most"));
+}
+
 TEST(MeshSurvey, NamesTheObstacle) {
   for (const sample::Polyhedron& occluded :
        {sample::l_shaped_room(), sample::octahedron(-0.5), sample::glued_grid(9, 8, false)}) {

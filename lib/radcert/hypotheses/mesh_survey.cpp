@@ -79,7 +79,7 @@ MeshFile align(MeshSurvey& survey, const MeshFile& given) {
                             " degrees, so that faces are parallel to the axes");
   if (along_axes->moved > 0)
     survey.mended.push_back("coordinates that differed by rounding made equal: corners moved by " +
-                            nearest_text(along_axes->moved, digits) + " at most, in a file " +
+                            upper_text(along_axes->moved, digits) + " at most, in a file " +
                             given.precision.words);
   return std::move(along_axes->file);
 }

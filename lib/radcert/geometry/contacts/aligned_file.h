@@ -10,7 +10,7 @@ namespace radcert {
 struct AlignedFile {
   MeshFile file;
   double degrees = 0;  ///< by which it was turned; 0: not at all
-  double moved = 0;    ///< the largest distance of a corner from where the turn had brought it
+  double moved = 0;    ///< bounds the distance of a corner from where the turn had brought it
 };
 
 /// Turns a mesh to the axes and makes coordinates equal that differ by rounding alone.
