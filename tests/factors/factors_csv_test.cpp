@@ -58,7 +58,8 @@ TEST(ClaimedFactor, IsWithinItsRadiusInDoubles) {
       const Approximation rounded = claim.in_double();
       const Rational needed = abs(Rational::exactly(rounded.value) - claim.value) + claim.halfwidth;
       EXPECT_LE(needed, Rational::exactly(rounded.radius)) << digits << " " << halfwidth;
-      EXPECT_LE(Rational::exactly(rounded.radius) - needed, needed * decimal("1e-15")) << digits << " " << halfwidth;
+      EXPECT_LE(Rational::exactly(rounded.radius) - needed, needed * decimal("1e-15"))
+          << digits << " " << halfwidth;
     }
   EXPECT_EQ(ClaimedFactor{}.in_double().radius, 0);
 }

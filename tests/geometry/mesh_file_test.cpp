@@ -173,6 +173,23 @@ TEST(MeshFile, KnowsHowFinelyItIsPrinted) {
   EXPECT_DOUBLE_EQ(stl.precision.unit, std::ldexp(1.0, -24));
 }
 
+TEST(MeshFile, KnowsHowFarDoublesAreFromItsDecimals) {
+  const auto rounding = [](const std::string& x) {
+    return parse_mesh_file("OFF\n3 1 0\n0 0.5 0\n" + x + " 0 -1024\n0 1 3\n3 0 1 2\n", "a.off")
+        .precision.rounding;
+  };
+  for (const char* x : {"7", "4500000.5", "-4500000.25", "4.5e6", "9007199254740992", "0.0625"})
+    EXPECT_EQ(rounding(x), 0) << x;
+  EXPECT_EQ(rounding("4500000.1"), std::ldexp(1.0, 22 - 53));
+  EXPECT_EQ(rounding("-0.1"), std::ldexp(1.0, -4 - 53));
+  EXPECT_EQ(rounding("9007199254740993"), 1);
+  for (const char* x : {"4500000.1", "-0.1", "9007199254740993", "0.70710678118654757"}) {
+    const Rational decimal = Rational::parse(x).value();
+    EXPECT_LE(abs(decimal - Rational::exactly(decimal.to_double())), Rational::exactly(rounding(x))) << x;
+  }
+  EXPECT_EQ(parse_mesh_file(binary_stl(sample::mesh_of(sample::cube())), "a.stl").precision.rounding, 0);
+}
+
 TEST(MeshFile, RefusesWithPlaceAndValue) {
   const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   const auto changed = [&](const std::string& from, const std::string& to) {

@@ -229,6 +229,18 @@ TEST(MeshSurvey, RoundsUpHowFarCornersWereMoved) {
   EXPECT_THAT(survey_of(nearly, {.align = true}).mended.front(), HasSubstr("moved by 1.42e-6 at most"));
 }
 
+TEST(MeshSurvey, RemarksDecimalsThatDoublesDoNotHold) {
+  const auto remarks = [](double far) {
+    sample::Polyhedron box = sample::cube();
+    for (Vector<double>& v : box.vertices) v = {3 * v.x + far, v.y, v.z};
+    return survey_of(box).remarks;
+  };
+  for (const double near : {0.0, 0.1, 10.3, 4500000.0, 4500000.5}) EXPECT_TRUE(remarks(near).empty()) << near;
+  ASSERT_EQ(remarks(4500000.1).size(), 1U);
+  EXPECT_THAT(remarks(4500000.1).front(),
+              HasSubstr("within 4.7e-10 of the decimals of this file, 1.5e-10 of"));
+}
+
 TEST(MeshSurvey, NamesTheObstacle) {
   for (const sample::Polyhedron& occluded :
        {sample::l_shaped_room(), sample::octahedron(-0.5), sample::glued_grid(9, 8, false)}) {

@@ -47,8 +47,21 @@ double largest_change(int level, const Rational& grading) {
   return largest;
 }
 
-const std::vector<Rational> gradings{1,  Rational(65, 64), Rational(3, 2), 2,  3,  Rational(16, 5), 7,
-                                     11, Rational(51, 4),  17,             26, 32, Rational(258, 5), 52, 53};
+const std::vector<Rational> gradings{1,
+                                     Rational(65, 64),
+                                     Rational(3, 2),
+                                     2,
+                                     3,
+                                     Rational(16, 5),
+                                     7,
+                                     11,
+                                     Rational(51, 4),
+                                     17,
+                                     26,
+                                     32,
+                                     Rational(258, 5),
+                                     52,
+                                     53};
 
 TEST(GradingInDouble, IsExactWhereEachVertexIsTheDouble) {
   const BallPrecision inside(digits_in_bits);

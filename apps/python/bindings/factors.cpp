@@ -171,8 +171,10 @@ void add_comparison(py::module_& module) {
       .def_property_readonly("ours", [](const FactorComparison& pair) { return pair.ours.value; })
       .def_property_readonly("radius", [](const FactorComparison& pair) { return pair.ours.radius; })
       .def_property_readonly("guaranteed", [](const FactorComparison& pair) { return pair.ours.guaranteed; })
-      .def_property_readonly("theirs", [](const FactorComparison& pair) { return pair.theirs.in_double().value; })
-      .def_property_readonly("halfwidth", [](const FactorComparison& pair) { return pair.theirs.in_double().radius; })
+      .def_property_readonly("theirs",
+                             [](const FactorComparison& pair) { return pair.theirs.in_double().value; })
+      .def_property_readonly("halfwidth",
+                             [](const FactorComparison& pair) { return pair.theirs.in_double().radius; })
       .def_property_readonly("difference", [](const FactorComparison& pair) { return pair.difference(); })
       .def_property_readonly(
           "verdict", [](const FactorComparison& pair) { return agreement_word(pair.agreement); },

@@ -7,6 +7,7 @@
 #include "radcert/core/contract.h"
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
+#include "radcert/geometry/box_tree.h"
 #include "radcert/geometry/contacts/aligned_file.h"
 #include "radcert/geometry/contacts/joined_sides.h"
 #include "radcert/geometry/contacts/mesh_contacts.h"
@@ -123,6 +124,18 @@ std::optional<Orientation> uncover(MeshSurvey& survey, FrontRule rule,
   survey.mesh = std::move(uncovered->mesh);
   survey.defects = mesh_defects(survey.mesh);
   return orientation;
+}
+
+/// That the decimals of a mesh far from the origin are not known as doubles as its size would have it.
+std::optional<std::string> rounding_remark(const MeshSurvey& survey) {
+  constexpr double most = 1e-14;
+  const double rounding = survey.precision.rounding;
+  const BoxTree tree(triangle_boxes(survey.mesh));
+  const double diagonal = norm(tree.box().high - tree.box().low);
+  if (!(rounding > most * diagonal)) return std::nullopt;
+  return "coordinates are read as doubles, which are within " + upper_text(rounding) +
+         " of the decimals of this file, " + upper_text(rounding / diagonal) +
+         " of its extent: areas, and all that is proved, are those of the mesh of these doubles";
 }
 
 /// Faces that look at each other across a gap as rounding leaves it.
@@ -245,6 +258,7 @@ MeshSurvey survey_mesh(const MeshFile& given, double degrees, const MeshRepair& 
         {.problem = "has faces that touch, and with what they cover taken out its front is another",
          .allowed = "--front right-hand or --front left-hand"});
   survey.remarks = near_contact_remarks(survey);
+  if (const std::optional<std::string> remark = rounding_remark(survey)) survey.remarks.push_back(*remark);
   decide_containment(survey);
   return survey;
 }

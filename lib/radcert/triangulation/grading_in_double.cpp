@@ -32,9 +32,8 @@ bool are_exact(long grading, int level) {
 }
 
 bool has_unit_squares(const Surface& surface) {
-  return std::any_of(surface.charts.begin(), surface.charts.end(), [](const Chart& chart) {
-    return chart.facts().domain == ChartDomain::unit_square;
-  });
+  return std::any_of(surface.charts.begin(), surface.charts.end(),
+                     [](const Chart& chart) { return chart.facts().domain == ChartDomain::unit_square; });
 }
 
 }  // namespace

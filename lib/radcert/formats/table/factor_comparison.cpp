@@ -80,8 +80,7 @@ public:
       for (std::size_t k = 0; k < size(); ++k) {
         const Approximation expected = ours(swapped(row), with_columns ? swapped(k) : k);
         const Approximation claim = theirs(row, k);
-        if (std::abs(claim.value - expected.value) >
-            std::max(claim.radius + expected.radius, part * largest))
+        if (std::abs(claim.value - expected.value) > std::max(claim.radius + expected.radius, part * largest))
           return false;
       }
     return true;

@@ -18,10 +18,13 @@ namespace radcert {
 ///           the largest coordinate
 /// Result    for text the number of digits is that of the coordinate printed with the most: %g drops zeros at
 ///           the end
-/// Limits    a guess at what the author rounded, for judging how large a defect is; no decision depends on it
+/// Limits    a guess, but for `rounding`, at what the author rounded, for judging how large a defect is; no
+///           decision depends on it
 struct CoordinatePrecision {
   double unit = 0;
   std::string words;  ///< "printed with 6 digits", "32-bit floats"
+  /// Bounds the distance of a decimal in the file from the double that it was read as; 0 where all are doubles
+  double rounding = 0;
 };
 
 /// Faces of any number of corners, as a mesh file has them.

@@ -15,6 +15,7 @@
 #include "radcert/core/errors.h"
 #include "radcert/core/text.h"
 #include "radcert/scalar/decimal.h"
+#include "radcert/scalar/rational.h"
 
 namespace radcert {
 namespace {
@@ -32,6 +33,19 @@ std::size_t printed_digits(std::string_view text) {
     if (c >= '0' && c <= '9' && (digits > 0 || c != '0')) ++digits;
   }
   return digits;
+}
+
+/// What a decimal may differ by from the double nearest to it.
+double half_a_unit_in_the_last_place(double value) {
+  return value == 0
+             ? 0
+             : std::max(std::ldexp(1.0, std::ilogb(value) - 53), std::numeric_limits<double>::denorm_min());
+}
+
+/// Whether a decimal is this double.
+bool is_exactly(std::string_view text, double value) {
+  const Outcome<Rational> decimal = Rational::parse(text);
+  return decimal && *decimal == Rational::exactly(value);
 }
 
 std::string lower(std::string_view text) {
@@ -67,6 +81,9 @@ double MeshBuilder::coordinate(std::string_view text, const std::string& place) 
   if (!value || (*value == 0 && !is_zero))
     refuse_mesh(place, std::string(text), "is no number that a double holds", coordinate_allowed);
   most_digits_ = std::max(most_digits_, printed_digits(text));
+  const double half_a_place = half_a_unit_in_the_last_place(*value);
+  if (half_a_place > mesh_.precision.rounding && !is_exactly(text, *value))
+    mesh_.precision.rounding = half_a_place;
   return coordinate(*value, place);
 }
 
