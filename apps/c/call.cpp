@@ -74,6 +74,7 @@ radcert_status keep_current() {
 }  // namespace
 
 radcert_status guarded(const std::function<void()>& action) noexcept try {
+  const app::UsualArithmetic usual;
   action();
   forget();
   return RADCERT_OK;

@@ -14,7 +14,7 @@
 namespace radcert::c {
 
 /// Runs what a function of the interface does, and keeps what it throws as this thread's last error.
-/// Result    RADCERT_OK, or the status of what was thrown; nothing leaves
+/// Result    RADCERT_OK, or the status of what was thrown; nothing leaves. All of it in UsualArithmetic
 radcert_status guarded(const std::function<void()>& action) noexcept;
 
 /// A text that a caller gives.

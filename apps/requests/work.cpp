@@ -93,6 +93,13 @@ AtWork::~AtWork() {
   }
 }
 
+UsualArithmetic::UsualArithmetic() {
+  std::fegetenv(&before_);
+  std::fesetenv(FE_DFL_ENV);
+}
+
+UsualArithmetic::~UsualArithmetic() { std::fesetenv(&before_); }
+
 void Progress::say(double fraction, const std::string& words) {
   const std::scoped_lock lock(mutex_);
   last_.emplace(fraction, words);
@@ -123,6 +130,7 @@ void run_apart(const std::function<void(Progress&)>& serve, const std::function<
   Progress told;
   std::thread worker = quiet_thread([&] {
     try {
+      const UsualArithmetic usual;
       throw_if_interrupted();
       action(told);
     } catch (...) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cfenv>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -40,12 +41,30 @@ public:
   AtWork& operator=(const AtWork&) = delete;
 };
 
+/// While it lives the calling thread rounds to nearest and keeps subnormal numbers, as every proof of the
+/// library takes for granted; then it computes as before.
+/// Maths     the default floating-point environment, without flush to zero (FTZ, DAZ): a program may have set
+///           another, and so does a shared object that was linked with -ffast-math
+/// Limits    of this thread alone; a thread that it makes begins with what it has, as do all that the loops of
+///           the library make: what runs in them has the environment of who called
+class UsualArithmetic {
+public:
+  UsualArithmetic();
+  ~UsualArithmetic();
+  UsualArithmetic(const UsualArithmetic&) = delete;
+  UsualArithmetic& operator=(const UsualArithmetic&) = delete;
+
+private:
+  std::fenv_t before_;
+};
+
 /// Runs an action in a thread of its own, while the calling thread serves its caller.
 /// Maths     `serve` is called every 40 milliseconds or so, and once more when the action is done; what it
 ///           throws asks the library to stop, leaves once the action has ended, and takes the place of what
 ///           the action gave or threw
 /// Requires  nothing of the action that only the calling thread may do
-/// Result    what the action throws leaves, and what AtWork throws
+/// Result    what the action throws leaves, and what AtWork throws. The action runs in UsualArithmetic,
+///           whatever the calling thread has
 /// Limits    a request to stop is one of the whole process: what other threads compute at the time ends with
 ///           Interrupted
 void run_apart(const std::function<void(Progress&)>& serve, const std::function<void(Progress&)>& action);

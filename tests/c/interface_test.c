@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 
 /* The interface for C, as a program in C uses it: numbers within their radii, and whatever is wrong refused by name. */
+#include <fenv.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
 
 #include "radcert.h"
 
@@ -326,6 +330,60 @@ static void threads_are_limited(void) {
   EXPECT(radcert_limit_threads(0) == RADCERT_OK);
 }
 
+/* All that a matrix of the cube has. */
+static size_t cube_factors(double* numbers) {
+  const radcert_mesh mesh = cube();
+  const radcert_factor_wish proved = {sizeof proved, "triangle", 0, 1, 0, 0};
+  radcert_factors* factors = NULL;
+  const radcert_factor_matrix* matrix = NULL;
+  EXPECT(radcert_factors_make(&mesh, &proved, NULL, &factors) == RADCERT_OK);
+  EXPECT(radcert_factors_read(factors, &matrix) == RADCERT_OK && matrix->count == 12);
+  size_t count = 0;
+  for (size_t k = 0; k < matrix->count * matrix->count; ++k) {
+    numbers[count++] = matrix->value[k];
+    numbers[count++] = matrix->radius[k];
+  }
+  for (size_t i = 0; i < matrix->count; ++i) {
+    numbers[count++] = matrix->area[i];
+    numbers[count++] = matrix->row_sum[i];
+    numbers[count++] = matrix->row_sum_radius[i];
+  }
+  radcert_factors_free(factors);
+  return count;
+}
+
+/* What proofs take for granted does not depend on what the caller's thread has set, and stays there. */
+static void the_callers_rounding_does_not_matter(void) {
+  enum { most = 2 * 12 * 12 + 3 * 12 };
+  double usual[most];
+  double other[most];
+  const size_t count = cube_factors(usual);
+  EXPECT(count == most);
+  const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+  for (size_t k = 0; k < 3; ++k) {
+    EXPECT(fesetround(modes[k]) == 0);
+    EXPECT(cube_factors(other) == most);
+    EXPECT(fegetround() == modes[k]);
+    fesetround(FE_TONEAREST);
+    EXPECT(memcmp(usual, other, sizeof usual) == 0);
+  }
+#ifdef __SSE2__
+  const unsigned flush = 0x8040; /* FTZ and DAZ */
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | flush);
+  radcert_reference* tiny = NULL;
+  const radcert_reference_value* value = NULL;
+  const radcert_parameter edge[] = {{"edge", "5"}};
+  EXPECT(radcert_reference_make("perpendicular_rectangles", edge, 1, 0, NULL, &tiny) == RADCERT_OK);
+  EXPECT(radcert_reference_read(tiny, &value) == RADCERT_OK && value->lower < value->upper);
+  EXPECT(cube_factors(other) == most);
+  EXPECT((_mm_getcsr() & flush) == flush);
+  _mm_setcsr(before);
+  EXPECT(memcmp(usual, other, sizeof usual) == 0);
+  radcert_reference_free(tiny);
+#endif
+}
+
 int main(void) {
   EXPECT(radcert_interface() == RADCERT_INTERFACE && strlen(radcert_version()) > 0);
   EXPECT(radcert_last_error() != NULL && radcert_last_error()->status == RADCERT_OK);
@@ -336,6 +394,7 @@ int main(void) {
   problems_solved();
   threads_have_their_own_errors();
   threads_are_limited();
+  the_callers_rounding_does_not_matter();
   if (faults == 0) printf("radcert %s keeps to its header\n", radcert_version());
   return faults == 0 ? 0 : 1;
 }

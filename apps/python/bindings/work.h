@@ -17,6 +17,7 @@ using app::Progress;
 /// Maths     app::run_apart; an exception from a handler (KeyboardInterrupt) or from `progress` stops the
 ///           library
 /// Requires  the interpreter's lock; an action that touches no Python object
+/// Result    the action runs in app::UsualArithmetic, whatever Python's threads have
 void run_apart(const py::object& progress, const std::function<void(Progress&)>& action);
 
 /// The same for an action with a value.
