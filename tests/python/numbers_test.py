@@ -31,6 +31,11 @@ class ExactNumbers(ModuleTest):
                 self.assertEqual(self.refused(lambda wrong=wrong: rc.Q(wrong)).place, "numerator")
         self.assertIn("zero", str(self.refused(lambda: rc.Q(1, 0))))
 
+    def test_what_a_float_does_not_hold_is_no_float(self):
+        for wide in (np.longdouble("0.1"), np.longdouble(0.5)):
+            self.assertIn("longdouble", self.refused(lambda wide=wide: rc.Q(wide)).problem)
+            self.assertEqual(rc.Q(float(wide)), Fraction(float(wide)))
+
 
 class References(ModuleTest):
     def setUp(self):

@@ -56,6 +56,9 @@ std::string kind_of(const py::handle& object) {
 
 Rational rational_of(const py::handle& number, const std::string& place, const std::string& allowed) {
   if (PyBool_Check(number.ptr()) != 0) refuse(place, std::string(py::str(number)), "is no number", allowed);
+  if (is_of(number, "numpy", "longdouble"))
+    refuse(place, std::string(py::str(number)), "is " + kind_of(number) + ", which no float holds",
+           allowed + "; float(x) rounds it");
   if (PyFloat_Check(number.ptr()) != 0 || is_of(number, "numpy", "floating")) {
     const double value = py::float_(py::reinterpret_borrow<py::object>(number));
     if (!std::isfinite(value)) refuse(place, shortest(value), "is not finite", allowed);

@@ -515,7 +515,7 @@ Finding solution_of(const Basis& basis, const Bench& bench) {
   Finding finding;
   double bound = 0;
   for (const SolvedSet* set : compared.sets()) bound = std::max(bound, set->spectral_radius_bound);
-  finding.require("spectral radius of R, the largest of the sets", contracts,
+  finding.require("spectral radius of R in each of the sets, at most", contracts,
                   Approximation::proved(bound, 0));
   const Comparison dim(by_half_the_light(basis), 3, 1);
   const Comparison wrong(gaussian_of_mean_density, 3, 1);
