@@ -14,7 +14,7 @@
 #include "radcert/core/files/atomic_file.h"
 #include "radcert/core/memory_plan.h"
 #include "radcert/core/parallel.h"
-#include "radcert/study/graded_levels.h"
+#include "radcert/study/collocation/graded_levels.h"
 #include "run_ranks.h"
 #include "verification/framework/reading/embedded.h"
 

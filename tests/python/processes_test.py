@@ -44,6 +44,21 @@ class Processes(ModuleTest):
         output, said = process.communicate(timeout=MOST_SECONDS)
         self.assertEqual((output, process.returncode), ("stopped\n2.0\n", 0), said)
 
+    def test_the_rounding_of_the_callers_thread_does_not_matter(self):
+        output, _ = self.run_to_its_end("""
+            import ctypes, ctypes.util
+            libm = ctypes.CDLL(ctypes.util.find_library("m"))
+            def numbers():
+                factors = rc.box(3, "21/10", "7/5").factors(by="piece", certified=True)
+                return [factors.value.tobytes(), factors.radius.tobytes(), short.solve()[0].values.value.tobytes()]
+            usual = numbers()
+            for mode in (0x400, 0x800, 0xc00):
+                assert libm.fesetround(mode) == 0
+                print(numbers() == usual, libm.fegetround() == mode)
+                libm.fesetround(0)
+        """)
+        self.assertEqual(output, 3 * "True True\n")
+
     def test_a_handler_of_ones_own_decides(self):
         output, _ = self.run_to_its_end("""
             class Mine(Exception):

@@ -11,9 +11,9 @@
 #include "radcert/formats/table/order_text.h"
 #include "radcert/scalar/enclosing_text.h"
 #include "radcert/solve/estimated_contraction.h"
+#include "radcert/study/collocation/graded_levels.h"
 #include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/errors/error_order.h"
-#include "radcert/study/graded_levels.h"
 #include "tables/number_cells.h"
 
 namespace radcert::app {

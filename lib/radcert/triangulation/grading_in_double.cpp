@@ -15,8 +15,8 @@ constexpr long last_place = 53;
 /// -log2 of the least width that is known to 2^-20 of it.
 constexpr long blurred_beyond = 33;
 
-/// Whether the doubles are those of a whole grading whose coordinates are multiples of 2^-53: k^grading, up to
-/// 2^52, and what is made of it are then exact.
+/// Whether the doubles are those of a whole grading whose coordinates are multiples of 2^-53: k^grading, up
+/// to 2^52, and what is made of it are then exact.
 bool are_exact(long grading, int level) {
   const double half = std::ldexp(1.0, level - 1);
   for (double k = 1; k < half; ++k) {

@@ -14,8 +14,8 @@
 #include "radcert/formats/problem/problem_json.h"
 #include "radcert/formats/problem/problem_parts.h"
 #include "radcert/scalar/enclosing_text.h"
+#include "radcert/study/collocation/graded_levels.h"
 #include "radcert/study/edge_grading.h"
-#include "radcert/study/graded_levels.h"
 
 namespace radcert {
 

@@ -23,7 +23,8 @@ namespace radcert {
 struct CoordinatePrecision {
   double unit = 0;
   std::string words;  ///< "printed with 6 digits", "32-bit floats"
-  /// Bounds the distance of a decimal in the file from the double that it was read as; 0 where all are doubles
+  /// Bounds the distance of a decimal in the file from the double that it was read as; 0 where all are
+  /// doubles
   double rounding = 0;
 };
 

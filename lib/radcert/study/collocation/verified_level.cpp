@@ -33,13 +33,13 @@
 #include "radcert/solve/linear_solver.h"
 #include "radcert/solve/verified_system.h"
 #include "radcert/study/collocation/exact_interpolant.h"
+#include "radcert/study/collocation/graded_levels.h"
 #include "radcert/study/collocation/iterated_solution.h"
 #include "radcert/study/collocation/level_geometry.h"
 #include "radcert/study/collocation/matrix_form.h"
 #include "radcert/study/collocation/nodal_description.h"
 #include "radcert/study/collocation/node_data.h"
 #include "radcert/study/collocation/operator_norm.h"
-#include "radcert/study/graded_levels.h"
 #include "radcert/study/stopwatch.h"
 
 namespace radcert {

@@ -31,9 +31,9 @@ namespace radcert {
 ///           problem's quadrature tolerance asks for, or up to 64 times as wide where double holds no more
 /// Limits    uniform_error, piece_means and, on open surfaces, norm_K are not proved. The superconvergent
 ///           alpha of an odd degree is the rational number within 10^-100 that stands for it, the irrational
-///           coordinates of symmetric nodes have 60 digits and those of a file 70, and vertices of a graded triangulation that are no
-///           doubles are the rounded ones, see grading_in_double; require_known_layers refuses the level where that
-///           is another triangulation
+///           coordinates of symmetric nodes have 60 digits and those of a file 70, and vertices of a graded
+///           triangulation that are no doubles are the rounded ones, see grading_in_double;
+///           require_known_layers refuses the level where that is another triangulation
 LevelOutcome verified_level(const Problem& problem, int level, const OperatorRoute& route);
 
 }  // namespace radcert

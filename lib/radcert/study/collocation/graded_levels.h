@@ -9,8 +9,8 @@
 
 namespace radcert {
 
-/// The levels of a graded problem whose vertices are not all those of the grading, but these rounded to double.
-/// What is proved at them is about the rounded ones.
+/// The levels of a graded problem whose vertices are not all those of the grading, but these rounded to
+/// double. What is proved at them is about the rounded ones.
 /// Source    grading_in_double
 [[nodiscard]] std::vector<int> rounded_levels(const Problem& problem, const Surface& surface);
 

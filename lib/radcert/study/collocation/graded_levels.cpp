@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "radcert/study/graded_levels.h"
+#include "radcert/study/collocation/graded_levels.h"
 
 #include "radcert/core/errors.h"
 #include "radcert/scalar/enclosing_text.h"
