@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "radcert/core/contract.h"
-#include "radcert/triangulation/triangulation.h"
 
 namespace radcert {
 namespace {
@@ -37,6 +36,10 @@ bool has_unit_squares(const Surface& surface) {
 }
 
 }  // namespace
+
+double graded_coordinate(double c, double grading) {
+  return c <= 0.5 ? 0.5 * std::pow(2 * c, grading) : 1 - 0.5 * std::pow(2 * (1 - c), grading);
+}
 
 GradingInDouble grading_in_double(const Surface& surface, const Rational& grading, int level) {
   expects(level >= 0 && grading >= Rational(1), "level >= 0 and grading >= 1", named("level", level),

@@ -6,6 +6,13 @@
 
 namespace radcert {
 
+/// The coordinate to which a grading moves that of a vertex.
+/// Maths     c -> (2c)^grading / 2 for c <= 1/2, else 1 - (2 (1 - c))^grading / 2
+/// Source    [ac98, section 6]
+/// Requires  0 <= c <= 1, grading >= 1
+/// Result    rounded: see grading_in_double
+[[nodiscard]] double graded_coordinate(double c, double grading);
+
 /// What double holds of the vertices of a graded triangulation.
 enum class GradingInDouble {
   exact,    ///< each vertex is that of the grading

@@ -7,6 +7,7 @@
 #include "radcert/core/checked.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/double_double.h"
+#include "radcert/triangulation/grading_in_double.h"
 
 namespace radcert {
 namespace {
@@ -37,10 +38,6 @@ std::vector<ParameterTriangle> refined(const std::vector<ParameterTriangle>& coa
 }
 
 }  // namespace
-
-double graded_coordinate(double c, double grading) {
-  return c <= 0.5 ? 0.5 * std::pow(2 * c, grading) : 1 - 0.5 * std::pow(2 * (1 - c), grading);
-}
 
 ParameterTriangle child_of(const ParameterTriangle& triangle, std::size_t c) {
   expects(c < 4, "a child from 0 to 3", named("child", c));

@@ -67,13 +67,6 @@ struct ElementRange {
 [[nodiscard]] Triangulation triangulate_part(const Surface& surface, int level,
                                              const TriangulationOptions& options, const ElementRange& part);
 
-/// The coordinate to which a grading moves that of a vertex.
-/// Maths     c -> (2c)^grading / 2 for c <= 1/2, else 1 - (2 (1 - c))^grading / 2
-/// Source    [ac98, section 6]
-/// Requires  0 <= c <= 1, grading >= 1
-/// Result    rounded: see grading_in_double
-[[nodiscard]] double graded_coordinate(double c, double grading);
-
 /// A child of a triangle in symmetric refinement: those at v_1, v_2, v_3, the middle.
 /// Requires  c < 4
 /// Result    exact while the vertices are multiples of 2^-51 in the unit square
