@@ -45,8 +45,7 @@ public:
 /// library takes for granted; then it computes as before.
 /// Maths     the default floating-point environment, without flush to zero (FTZ, DAZ): a program may have set
 ///           another, and so does a shared object that was linked with -ffast-math
-/// Limits    of this thread alone; a thread that it makes begins with what it has, as do all that the loops of
-///           the library make: what runs in them has the environment of who called
+/// Limits    of this thread, and of what the library's loops run for it in others
 class UsualArithmetic {
 public:
   UsualArithmetic();

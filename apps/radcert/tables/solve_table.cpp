@@ -277,7 +277,7 @@ std::string guarantee_text(const Result& result) {
   out += ".\n";
   if (const std::vector<int> levels = rounded_levels(result.problem, surface_of(result.problem));
       !levels.empty())
-    out += "  Of the grading's vertices, rounded to double (levels " + numbers(levels) +
+    out += "  Vertices are those of the grading rounded to double (levels " + numbers(levels) +
            "): what is proved is about the triangulation with these.\n";
   if (result.problem.solution)
     out +=
