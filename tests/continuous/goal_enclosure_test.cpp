@@ -732,8 +732,8 @@ TEST(EmissionFunctions, AreThePolynomialOnEveryElement) {
 
 TEST(PanelAbout, IsAPartOfAFaceButNotOfItsEdges) {
   const std::vector<Panel> parts = test::cut(test::l_room());
-  // In a part, on the line between two, and on no edge; on edges, in a corner, at the corner that looks inwards,
-  // beside the room and off its planes.
+  // In a part, on the line between two, and on no edge; on edges, in a corner, at the corner that looks
+  // inwards, beside the room and off its planes.
   const Rational half(1, 2);
   for (const Vector<Rational>& p :
        {Vector<Rational>{half, half, 0}, {1, half, 0}, {half, 1, 1}, {0, 1, half}}) {

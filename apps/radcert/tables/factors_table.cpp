@@ -89,7 +89,8 @@ std::string comparison_table(const std::vector<FactorComparison>& pairs) {
     const FactorComparison& pair = pairs[k];
     rows.push_back({pair.from, pair.to});
     push(rows.back(), pair.ours, digits_of_factors);
-    const EnclosingText theirs = enclosing_text(pair.theirs.value, pair.theirs.halfwidth, digits_of_factors);
+    const EnclosingText theirs =
+        enclosing_text(pair.theirs.value, pair.theirs.halfwidth, DecimalForm::general(digits_of_factors));
     const Rational apart = abs(Rational::exactly(pair.ours.value) - pair.theirs.value);
     rows.back().insert(rows.back().end(), {theirs.value, theirs.radius, upper_text(apart),
                                            agreement_word(pair.agreement), pair.cause});

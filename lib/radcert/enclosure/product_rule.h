@@ -17,11 +17,12 @@ struct RuleInOneVariable {
 [[nodiscard]] RuleInOneVariable rule_for_ellipse(int nodes, double rho, double bound);
 
 /// The integral of a function over a cell by a product of Gauss rules.
-/// Maths     |Int Int f - Q_x Q_y f| <= 2 h_x h_y (e_x + e_y), 2 h the sides: Int_x (Int_y - Q_y) f is at most
-///           2 e_y, Q_y (Int_x - Q_x) f at most 2 e_x, as the weights of either rule are positive with the sum 2
+/// Maths     |Int Int f - Q_x Q_y f| <= 2 h_x h_y (e_x + e_y), 2 h the sides: Int_x (Int_y - Q_y) f is at
+///           most 2 e_y, Q_y (Int_x - Q_x) f at most 2 e_x, as the weights of either rule are positive with
+///           the sum 2
 /// Requires  nodes >= 1
-/// Result    value: the integral, enclosed, its radius with the error and all roundings; error: what the rules
-///           miss. nodes_x nodes_y evaluations in balls
+/// Result    value: the integral, enclosed, its radius with the error and all roundings; error: what the
+///           rules miss. nodes_x nodes_y evaluations in balls
 struct ProductRuleValue {
   Ball value;
   Ball error;
