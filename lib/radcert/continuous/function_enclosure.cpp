@@ -197,8 +197,7 @@ private:
 
   /// One mesh; false where it is passed over, since its residuals would be too large.
   bool try_layers(int layers, const SearchContext& context) {
-    // A degree more makes residuals about three times as small, on all layers alike.
-    const int degree = data_.trial_degree(2 * (layers - 2));
+    const int degree = data_.trial_degree(layers - 1);
     const double tolerance = 2e-4 * std::pow(4.0, -layers);
     std::vector<SectorElement> elements = graded_elements(data_.scene, layers);
     EnclosureProgress begun{.layers = layers, .degree = degree, .elements = elements.size()};
@@ -221,8 +220,7 @@ private:
       const SectorBox& box = trial.elements[e].box;
       parts.push_back({.element = e, .box = box, .residual = residual(trial, e, expected[e])});
       smallest = std::min(smallest, trial.sector(e).jacobian * box.weight());
-      // Those that reach far into the neighbourhood of a vertex have the residuals of that.
-      if (disks_.distance_at_least(trial.sector(e), box) >= 0.5 * outside_)
+      if (disks_.distance_at_most(trial.sector(e), box) >= outside_)
         of_outside = std::max(of_outside, expected[e]);
     }
     const double hoped = ErrorByDistance(trial, disks_, std::move(parts), data_.gap).sup(outside_);
