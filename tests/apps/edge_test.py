@@ -136,8 +136,8 @@ class Edge(ProgramTest):
         message = done.stderr.decode()
         for words in ("/triangulation/grading", "258/5", "up to 32", "up to 52"):
             self.assertIn(words, message)
-        self.assertIn("Remark: the grading 258/5 makes elements of the width 1.5e-16 at level 2",
-                      self.expect(0, "solve", graded("51.6", "direct", 2)))
+        self.assertIn("Remark: the grading 81/2 makes elements of the width 3.2e-13 at level 2",
+                      self.expect(0, "solve", graded("40.5", "direct", 2)))
 
     def test_small_angles_are_refused_before_the_work(self):
         found = self.edge("--angle", "3", "--rho", "1/2", code=1)
