@@ -118,8 +118,9 @@ class FactorsOfScenes(ModuleTest):
         self.assertIn("front right-hand", "".join(str(each.message) for each in caught))
 
     def test_pieces_are_those_of_the_mesh(self):
+        points, triangles, _ = unit_cube()
         for angle, count in ((30, 6), (91, 1)):
-            mesh = rc.Mesh(unit_cube(), angle=angle)
+            mesh = rc.Mesh((points, triangles), angle=angle)
             self.assertEqual(len(mesh.pieces), count)
             self.assertEqual(mesh.factors(by="piece").names, [piece.name for piece in mesh.pieces])
 

@@ -189,7 +189,7 @@ class Functions(ModuleTest):
         self.assertIn("a function of Python: ", own.to_json()["problem"]["basis"]["mother"])
         self.assertFalse(own[0].values.guaranteed.any())
         # Its support is what the dict says.
-        self.assertEqual(own.to_json()["problem"]["basis"].get("support", "1"), "1")
+        self.assertEqual(own.to_json()["problem"]["basis"]["support"], 1)
         for wrong, words in [(lambda r: "1", "is no number"), (lambda r: None, "is no number"), (lambda r: np.ones(2), "is no number"),
                              (lambda r: float("nan"), "is not finite"), (lambda r: 1j, "is no number")]:
             error = self.refused(lambda wrong=wrong: problem.replace(basis={**basis, "mother": wrong}).solve(), "/basis/mother")

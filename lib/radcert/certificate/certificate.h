@@ -26,8 +26,8 @@ struct CertifiedNumber {
 };
 [[nodiscard]] std::vector<CertifiedNumber> numbers(const Certificate& certificate);
 
-/// A bound of |u - w|, w the function of the certificate if it is of one, at points that are `outside` or more
-/// from every corner of a face; everywhere where that is 0, as on an ellipsoid.
+/// A bound of |u - w|, w the function of the certificate if it is of one, at points that are `outside` or
+/// more from every corner of a face; everywhere where that is 0, as on an ellipsoid.
 [[nodiscard]] std::optional<BoundAtDistance> function_bound(const Certificate& certificate);
 
 /// How many parts a check can look at: elements of a polyhedron, rows of points on an ellipsoid.

@@ -51,8 +51,8 @@ struct SolutionPoint {
 [[nodiscard]] std::size_t panel_inside(const std::vector<Panel>& panels, const Vector<Rational>& p);
 
 /// A panel on which a point lies that has a neighbourhood in the panels of one plane, piece and side.
-/// Maths     from the point a panel fills an angle of their plane; the angles are no more than 2 pi in all, and
-///           fill it where each ends at the ray at which another begins
+/// Maths     from the point a panel fills an angle of their plane; the angles are no more than 2 pi in all,
+///           and fill it where each ends at the ray at which another begins
 /// Requires  panels that do not overlap
 /// Result    exact, the first; panels.size() where there is none: the point is off the surface or on an edge
 [[nodiscard]] std::size_t panel_about(const std::vector<Panel>& panels, const Vector<Rational>& p);

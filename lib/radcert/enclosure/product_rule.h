@@ -12,8 +12,8 @@ struct RuleInOneVariable {
   Ball error;  ///< at least |Int_-1^1 f - Q f| for each value of the other variable, x and y taken to [-1,1]
 };
 
-/// The same for |f| <= bound where the variable is in the ellipse E_rho of gauss_error_factor and the other one
-/// real.
+/// The same for |f| <= bound where the variable is in the ellipse E_rho of gauss_error_factor and the other
+/// one real.
 [[nodiscard]] RuleInOneVariable rule_for_ellipse(int nodes, double rho, double bound);
 
 /// The integral of a function over a cell by a product of Gauss rules.
