@@ -154,6 +154,7 @@ TEST(MeshlessLevel, CountsWhatIllConditionedInterpolationLeaves) {
   // elements of which dozens overlap.
   Meshless basis = own("exp(-r^2/2)", std::nullopt);
   basis.basis.normalise = Normalisation::none;
+  basis.basis.distance = SiteDistance::euclidean;
   basis.basis.radius.neighbour = 60;
   basis.coefficients = CoefficientRule::interpolated;
   basis.weights = WeightRule::mean_density;
