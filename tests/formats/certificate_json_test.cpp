@@ -163,7 +163,9 @@ TEST(CertificateJson, RefusesWhatIsNoCertificate) {
 
 TEST(CertificateJson, RefusesNamesThatWouldPrintMoreThanANameDoes) {
   for (const std::string& name :
-       {std::string("one 7 +- 1e-9\nother"), std::string("\x1b[2J"), std::string("\x7f")}) {
+       {std::string("one 7 +- 1e-9\nother"), std::string("\x1b[2J"), std::string("\x7f"),
+        std::string("\xc2\x9b"
+                    "2J")}) {
     certificate::PolyhedronCertificate c = sample();
     c.pieces[1] = name;
     EXPECT_THROW(static_cast<void>(read_certificate(certificate_text(c, "radcert test"), "c.json")),

@@ -124,6 +124,36 @@ TEST(KernelSums, AreTheKernelTimesTheAreaOnTheSphere) {
       quarter, 1e-14);
 }
 
+TEST(KernelSums, OfSumsAddWhateverRoundingsAreBoundedWith) {
+  KernelSums<double> a(3);
+  KernelSums<double> b(3);
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto of_j = static_cast<double>(j);
+    a.value[j] = 1 + of_j;
+    b.value[j] = -8 - of_j;
+    a.size[j] = 16 + of_j;
+    b.size[j] = 32 + of_j;
+    a.tilt[j] = 64 + of_j;
+    b.tilt[j] = 128 + of_j;
+  }
+  a.total = 256;
+  b.total = -512;
+  a.total_size = 1024;
+  b.total_size = 2048;
+  a.points = 5;
+  b.points = 7;
+  a += b;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto of_j = static_cast<double>(j);
+    EXPECT_EQ(a.value[j], -7) << j;
+    EXPECT_EQ(a.size[j], 48 + 2 * of_j) << j;
+    EXPECT_EQ(a.tilt[j], 192 + 2 * of_j) << j;
+  }
+  EXPECT_EQ(a.total, -256);
+  EXPECT_EQ(a.total_size, 3072);
+  EXPECT_EQ(a.points, 8U);  // the sum is one addition more than the longer of the two
+}
+
 TEST(BernsteinRadius, InvertsTheJoukowskyMap) {
   for (const double rho : {1.0, 1.25, 2.0, 3.0, 17.0})
     for (const double angle : {0.0, 0.5, pi<double>() / 2, 2.0, pi<double>()}) {

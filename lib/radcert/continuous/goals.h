@@ -83,7 +83,7 @@ struct ValueGoal {
 ///           nodes is off by 2 |X|^(1/2) (e_s + e_t) in L2 on the element X, e = 2 M rho^(1-n)/(rho-1) for n
 ///           nodes. Where panels hide each other, j = V G/pi is 0 on elements that P does not see; on those
 ///           seen in part half of the interpolant stands for it, off by half of sup |j| and half of that
-/// Requires  the scene outlives it; points inside their panels
+/// Requires  the scene outlives it; points inside their panels, or on sides at which parts of one plane meet
 [[nodiscard]] std::unique_ptr<Goals> point_values(const SectorScene& scene, const Reflectivity& reflectivity,
                                                   const std::vector<ValueGoal>& points);
 

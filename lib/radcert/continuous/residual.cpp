@@ -87,7 +87,6 @@ public:
                              ShadedParts shaded = ShadedParts::bounded)
       : trial_(trial), samples_(trial, shaded), count_(trial.w.count()), residuals_(residuals) {}
 
-  [[nodiscard]] const Trial& trial() const { return trial_; }
   [[nodiscard]] Share none() const { return Share(count_, residuals_); }
   [[nodiscard]] std::vector<Share> of_cells(std::span<const ObserverCell> cells,
                                             const CellDemand& demand) const {
@@ -427,10 +426,20 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
   return sums;
 }
 
-std::vector<double> largest_over(const ResidualOverCells& residual, std::span<const ObserverCell> cells,
-                                 const LargestDemand& demand, MeshWork* work) {
+}  // namespace
+
+ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells, const CellDemand& demand,
+                           bool by_element, MeshWork* work, std::size_t residuals) {
+  expects(residuals >= 1 && residuals <= (by_element ? 1 : trial.w.count()),
+          "residuals that products are taken with", named("residuals", residuals));
+  return sums_over(ResidualOverCells(trial, residuals), trial, cells, demand, by_element, work, residuals);
+}
+
+std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
+                                      const LargestDemand& demand, MeshWork* work) {
+  const ResidualOverCells residual(trial);
   std::vector<double> largest;
-  const std::string name = work == nullptr ? "" : name_of_cells("cells for maxima", residual.trial(), cells);
+  const std::string name = work == nullptr ? "" : name_of_cells("cells for maxima", trial, cells);
   for (std::size_t first = 0; first < cells.size(); first += cells_of_a_part) {
     const std::size_t size = std::min(cells_of_a_part, cells.size() - first);
     const std::vector<double> found = numbers_of_cells(work, name, first, size, size, [&] {
@@ -448,20 +457,6 @@ std::vector<double> largest_over(const ResidualOverCells& residual, std::span<co
     largest.insert(largest.end(), found.begin(), found.end());
   }
   return largest;
-}
-
-}  // namespace
-
-ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells, const CellDemand& demand,
-                           bool by_element, MeshWork* work, std::size_t residuals) {
-  expects(residuals >= 1 && residuals <= (by_element ? 1 : trial.w.count()),
-          "residuals that products are taken with", named("residuals", residuals));
-  return sums_over(ResidualOverCells(trial, residuals), trial, cells, demand, by_element, work, residuals);
-}
-
-std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
-                                      const LargestDemand& demand, MeshWork* work) {
-  return largest_over(ResidualOverCells(trial), cells, demand, work);
 }
 
 namespace {
@@ -503,8 +498,8 @@ std::vector<double> expected_largest(const Trial& trial) {
     double allowed_;
   };
   const auto nodes = static_cast<double>((trial.q.degree() + 2) * (trial.q.degree() + 2));
-  return largest_over(ResidualOverCells(trial, 1, ShadedParts::ignored), whole_elements(trial),
-                      Rough(10 * nodes * rough(trial) * trial.smoothness.size()), nullptr);
+  return largest_residuals(trial, whole_elements(trial),
+                           Rough(10 * nodes * rough(trial) * trial.smoothness.size()));
 }
 
 }  // namespace radcert
