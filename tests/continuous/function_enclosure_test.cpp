@@ -272,7 +272,10 @@ private:
 class DemandOf final : public LargestDemand {
 public:
   explicit DemandOf(double allowed) : allowed_(allowed) {}
-  [[nodiscard]] double allowed(std::size_t /*element*/) const override { return allowed_; }
+  [[nodiscard]] double allowed(std::size_t /*element*/, const Sector& /*sector*/,
+                               const SectorBox& /*box*/) const override {
+    return allowed_;
+  }
   [[nodiscard]] bool may_be_strip(const Sector& sector, const SectorBox& box) const override {
     return sector.jacobian * box.weight() < 1e-5;
   }
@@ -320,9 +323,8 @@ TEST(LargestResiduals, BoundTheResidualEverywhere) {
     // What rules miss and what a closure leaves is in every bound: a sample of the surface cannot see that.
     for (std::size_t c = 0; c < cells.size(); ++c) {
       if (cells[c].is_strip()) continue;
-      EXPECT_GT(cells[c].of_rules, 0);
-      EXPECT_GE(largest[c],
-                interpolation_gain(cells[c].nodes_s, cells[c].nodes_t) * cells[c].of_rules + cells[c].beside);
+      EXPECT_GT(cells[c].of_interpolant, 0);
+      EXPECT_GE(largest[c], cells[c].of_interpolant + cells[c].beside);
       EXPECT_EQ(cells[c].beside > 0, cells[c].closed);
     }
     const Transport transport(jumping.scene, trial.elements, trial.w);

@@ -31,7 +31,10 @@ constexpr CellDemand no_demand{.interpolation = 1e30, .quadrature = 1e30, .shade
 
 class NoDemand final : public LargestDemand {
 public:
-  [[nodiscard]] double allowed(std::size_t /*element*/) const override { return 1e30; }
+  [[nodiscard]] double allowed(std::size_t /*element*/, const Sector& /*sector*/,
+                               const SectorBox& /*box*/) const override {
+    return 1e30;
+  }
   [[nodiscard]] bool may_be_strip(const Sector& /*sector*/, const SectorBox& /*box*/) const override {
     return false;
   }
@@ -368,16 +371,55 @@ TEST(LargestResiduals, CountWhatSamplesAreOffBy) {
     EXPECT_LE(largest, 1.2 * (least + amplified * found.radius));
     // And what is left beside samples, each with its factor.
     ObserverCell wide = cell;
-    wide.of_rules = 1e6;
+    wide.of_interpolant = 1e6;
     wide.beside = 1e5;
-    EXPECT_GE(largest_residuals(chosen.trial, std::array{wide}, NoDemand())[0],
-              interpolation_gain(cell.nodes_s, cell.nodes_t) * 1e6 + 1e5);
+    EXPECT_GE(largest_residuals(chosen.trial, std::array{wide}, NoDemand())[0], 1e6 + 1e5);
   }
+}
+
+TEST(InterpolationError, IsThatOfBothVariables) {
+  // Chebyshev's polynomial of degree n, which polynomials of degree n - 1 miss by 1.
+  const auto chebyshev = [](int n, double x) { return std::cos(n * std::acos(std::clamp(x, -1.0, 1.0))); };
+  for (const int nodes_s : {1, 2, 3, 5, 8})
+    for (const int nodes_t : {1, 2, 4, 7})
+      for (const double of_t : {0.0, 0.01, 1.0, 100.0}) {
+        const auto f = [&](double x, double y) {
+          return chebyshev(nodes_s, x) + of_t * chebyshev(nodes_t, y);
+        };
+        const std::vector<double>& at_s = gauss_on_interval(nodes_s).nodes;
+        const std::vector<double>& at_t = gauss_on_interval(nodes_t).nodes;
+        const auto lagrange = [](const std::vector<double>& nodes, std::size_t k, double x) {
+          double product = 1;
+          for (std::size_t j = 0; j < nodes.size(); ++j)
+            if (j != k) product *= (x - nodes[j]) / (nodes[k] - nodes[j]);
+          return product;
+        };
+        double missed = 0;
+        for (int i = 0; i <= 40; ++i)
+          for (int j = 0; j <= 40; ++j) {
+            const double x = -1 + i / 20.0;
+            const double y = -1 + j / 20.0;
+            double sum = 0;
+            for (std::size_t a = 0; a < at_s.size(); ++a)
+              for (std::size_t b = 0; b < at_t.size(); ++b)
+                sum += f(at_s[a], at_t[b]) * lagrange(at_s, a, x) * lagrange(at_t, b, y);
+            missed = std::max(missed, std::abs(f(x, y) - sum));
+          }
+        const double bound = interpolation_error(1, nodes_s, of_t, nodes_t);
+        EXPECT_LE(missed, bound * (1 + 1e-12)) << nodes_s << " " << nodes_t << " " << of_t;
+        EXPECT_GE(missed, bound / (4 * nodes_s * nodes_t)) << nodes_s << " " << nodes_t << " " << of_t;
+      }
+  // Never more than the sum of both, each with the other's constant.
+  EXPECT_LE(interpolation_error(1, 8, 0, 2), (1 + lebesgue_constant(8)) * (1 + 1e-9));
+  EXPECT_LE(interpolation_error(0, 2, 1, 8), (1 + lebesgue_constant(8)) * (1 + 1e-9));
 }
 
 class Allowed final : public LargestDemand {
 public:
-  [[nodiscard]] double allowed(std::size_t /*element*/) const override { return 0.1; }
+  [[nodiscard]] double allowed(std::size_t /*element*/, const Sector& /*sector*/,
+                               const SectorBox& /*box*/) const override {
+    return 0.1;
+  }
   [[nodiscard]] bool may_be_strip(const Sector& sector, const SectorBox& box) const override {
     return sector.jacobian * box.weight() < 1e-5;
   }
@@ -415,7 +457,9 @@ TEST(ObserverCells, HaveWhatRulesMissInBothVariablesAndWhatAClosureLeaves) {
       EXPECT_GE(cell.beside, beside);
       EXPECT_EQ(cell.beside > 0, cell.closed);
       const double of_rules = in_s.interpolation[s] + in_t.interpolation[t];
-      EXPECT_GE(cell.of_rules, of_rules * (1 - 4 * unit));
+      EXPECT_GE(cell.of_interpolant, interpolation_error(in_s.interpolation[s], cell.nodes_s,
+                                                         in_t.interpolation[t], cell.nodes_t) *
+                                         (1 - 4 * unit));
       EXPECT_GE(cell.interpolation, (of_rules + 0.5 * cell.beside) * (1 - 4 * unit));
       const double of_mean =
           in_s.quadrature[s] + in_t.quadrature[t] + cell.beside * smoothness.density_size(cell.element);

@@ -132,7 +132,7 @@ public:
 
   double operator()(double axis) const {
     const double tube = tube_bound(seen_, axis);
-    return slides_ ? std::min(tube, slide_bound(seen_.half, reach_, axis)) : tube;
+    return slides_ ? std::min(tube, slide_bound(slide_part(seen_.half, reach_, axis))) : tube;
   }
 
 private:

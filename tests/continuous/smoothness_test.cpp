@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "radcert/continuous/elements/element_interpolation.h"
 #include "radcert/continuous/transport/smoothness.h"
 #include "radcert/continuous/transport/transport.h"
 #include "tests/continuous/scenes.h"
@@ -253,6 +254,68 @@ TEST_P(SmoothnessOf, BoundsPolynomialsAndRulesAlongBothParameters) {
     EXPECT_GT(polynomials[t].quotient, 2e-3);
     EXPECT_GT(rules[t].quotient, 1e-4);
   }
+}
+
+/// One polynomial a sector, and little more on each element.
+SectorFunctions nearly_smooth(const std::vector<SectorElement>& elements, Draw& draw) {
+  constexpr std::size_t powers = 3;
+  SectorFunctions f = drawn_functions(elements.size(), 2, 2, draw);
+  for (double& c : f.all()) c *= 1e-4;
+  const ElementInterpolation interpolation(powers);
+  const std::vector<double>& nodes = gauss_on_interval(powers).nodes;
+  for (std::size_t k = 0; k < 2; ++k) {
+    std::size_t sector = elements.size();
+    std::array<double, powers * powers> a{};
+    for (std::size_t e = 0; e < elements.size(); ++e) {
+      if (elements[e].sector != sector)
+        for (double& of_sector : a) of_sector = draw() - 0.25;
+      sector = elements[e].sector;
+      const SectorBox& box = elements[e].box;
+      std::vector<double> values;
+      for (const double x : nodes)
+        for (const double y : nodes) {
+          const double s = box.middle_s() + 0.5 * (box.s1 - box.s0) * x;
+          const double t = box.middle_t() + 0.5 * (box.t1 - box.t0) * y;
+          values.push_back(a[0] + s * (a[1] + s * a[2]) + t * (a[3] + t * a[4]) +
+                           s * t * (a[5] + a[6] * s * t));
+        }
+      std::vector<double> smooth(powers * powers);
+      interpolation.coefficients(values, 1, smooth);
+      for (std::size_t i = 0; i < smooth.size(); ++i) f.of(e, k)[i] += smooth[i];
+    }
+  }
+  return f;
+}
+
+TEST_P(SmoothnessOf, BoundsPolynomialsAndRulesBesideBordersThatAreContinuedAcross) {
+  SectorScene scene(panels_of(GetParam()));
+  std::vector<SectorElement> elements = graded_elements(scene, 3);
+  const SectorFunctions w = nearly_smooth(elements, draw_);
+  const Sent sent(std::move(scene), std::move(elements), w);
+  Closest polynomials;
+  Closest rules;
+  int wide = 0;
+  for (int k = 0; k < 600; ++k) {
+    const std::size_t e = draw_.below(sent.elements().size());
+    const SectorBox& whole = sent.elements()[e].box;
+    if (whole.t0 != 0 || whole.s0 == 0 || whole.s1 == 1 || !sent.closure().mirror(e)) continue;
+    // From a border on, and much wider than far from the edge.
+    SectorBox box = whole;
+    box.t1 = whole.t1 * std::ldexp(1.0, -3 - static_cast<int>(draw_.below(10)));
+    box.t0 = box.t1 / 2;
+    const double width = std::ldexp(whole.s1 - whole.s0, -4 - static_cast<int>(draw_.below(3)));
+    if (draw_() < 0.5)
+      box.s1 = whole.s0 + width;
+    else
+      box.s0 = whole.s1 - width;
+    const int before = polynomials.tried;
+    sent.expect(e, box, draw_(), false, false, polynomials, rules);
+    if (polynomials.tried > before && box.s1 - box.s0 > 4 * box.t1) ++wide;
+  }
+  EXPECT_GT(wide, 20);
+  EXPECT_GT(polynomials.tried, 300);
+  EXPECT_GT(polynomials.quotient, 2e-3);
+  EXPECT_GT(rules.quotient, 1e-4);
 }
 
 TEST_P(SmoothnessOf, BoundsPolynomialsAndRulesOfClosedCells) {

@@ -595,7 +595,7 @@ TEST(SlideBound, HoldsInEllipsesOfObservers) {
     const double x = half * z.real();
     const double shift = half * z.imag();
     const double r = reach - std::abs(x);
-    const double bound = slide_bound(half, reach, axis);
+    const double bound = slide_bound(slide_part(half, reach, axis));
     if (!(std::abs(shift) < 0.97 * r && bound < HUGE_VAL)) continue;
     const PlaneDensity density(std::max(reach, 0.3), chance);
     const Moved moved = slide.moved(x, shift, r, density);

@@ -91,25 +91,27 @@ private:
 class LargestJudge final : public CellJudge {
 public:
   LargestJudge(const Trial& trial, std::size_t number, const LargestDemand& demand)
-      : CellJudge(trial, number), demand_(demand), allowed_(demand.allowed(number)) {}
+      : CellJudge(trial, number), demand_(demand), number_(number) {}
   [[nodiscard]] bool may_be_strip(const SectorBox& box) const override {
     return demand_.may_be_strip(sector_, box);
   }
-  [[nodiscard]] bool are_enough(const RuleErrors& errors, int n, const SectorBox& /*box*/) const override {
-    return interpolation_gain(n, n) * errors.interpolation[static_cast<std::size_t>(n - 1)] <= 0.5 * allowed_;
+  [[nodiscard]] bool are_enough(const RuleErrors& errors, int n, const SectorBox& box) const override {
+    return interpolation_error(errors.interpolation[static_cast<std::size_t>(n - 1)], n, 0, n) <=
+           0.25 * allowed(box);
   }
-  [[nodiscard]] bool is_little(const EdgeClosure::Nearby& beside, const SectorBox& /*box*/) const override {
-    return beside.bound - beside.jumps <= 0.5 * allowed_;
+  [[nodiscard]] bool is_little(const EdgeClosure::Nearby& beside, const SectorBox& box) const override {
+    return beside.bound - beside.jumps <= 0.5 * allowed(box);
   }
   [[nodiscard]] bool takes_jumps() const override { return true; }
   [[nodiscard]] bool is_in_the_light(const ObserverCell& cell) const override {
-    return cell.shade <= 0.5 * allowed_;
+    return cell.shade <= 0.5 * allowed(cell.box);
   }
-  [[nodiscard]] double allowed_shade(const SectorBox& /*box*/) const override { return 0.5 * allowed_; }
+  [[nodiscard]] double allowed_shade(const SectorBox& box) const override { return 0.5 * allowed(box); }
 
 private:
+  [[nodiscard]] double allowed(const SectorBox& box) const { return demand_.allowed(number_, sector_, box); }
   const LargestDemand& demand_;
-  double allowed_;
+  std::size_t number_;
 };
 
 /// The cells of one element.
@@ -146,16 +148,16 @@ private:
     const double more = beside ? beside->bound : 0;
     const auto s = static_cast<std::size_t>(nodes_s - 1);
     const auto t = static_cast<std::size_t>(nodes_t - 1);
-    const double of_rules = in_s.interpolation[s] + in_t.interpolation[t];
+
     ObserverCell cell{
         .element = number_,
         .box = box,
         .nodes_s = nodes_s,
         .nodes_t = nodes_t,
         .closed = beside.has_value(),
-        .of_rules = of_rules,
+        .of_interpolant = interpolation_error(in_s.interpolation[s], nodes_s, in_t.interpolation[t], nodes_t),
         .beside = more,
-        .interpolation = of_rules + 0.5 * more,
+        .interpolation = in_s.interpolation[s] + in_t.interpolation[t] + 0.5 * more,
         .quadrature = in_s.quadrature[s] + in_t.quadrature[t] + more * smoothness_.density_size(number_)};
     if (!trial_.scene.sight().is_open()) {
       cell.least_mass = 0.02 * judge_.allowed_shade(box);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <vector>
@@ -17,10 +18,10 @@ struct ObserverCell {
   SectorBox box;
   int nodes_s = 0;  ///< 0: so small that it is not looked into
   int nodes_t = 0;
-  bool closed = false;       ///< at an edge: T w = F + what is in the bounds below
-  double of_rules = 0;       ///< the sum of both variables' RuleErrors of interpolation
-  double beside = 0;         ///< of |T w - F|, where it is closed
-  double interpolation = 0;  ///< of_rules and half of beside
+  bool closed = false;        ///< at an edge: T w = F + what is in the bounds below
+  double of_interpolant = 0;  ///< of F less its interpolant: interpolation_error
+  double beside = 0;          ///< of |T w - F|, where it is closed
+  double interpolation = 0;   ///< the sum of both variables' RuleErrors of interpolation, and half of beside
   double quadrature = 0;
   double shade = 0;          ///< of |T w - F|, F of Penumbra, for all functions
   double least_mass = 0;     ///< of a shaded part that is worth halving
@@ -48,15 +49,20 @@ public:
   LargestDemand& operator=(LargestDemand&&) = delete;
   virtual ~LargestDemand() = default;
 
-  [[nodiscard]] virtual double allowed(std::size_t element) const = 0;
+  /// On a part of an element, which is on this sector.
+  [[nodiscard]] virtual double allowed(std::size_t element, const Sector& sector,
+                                       const SectorBox& box) const = 0;
   [[nodiscard]] virtual bool may_be_strip(const Sector& sector, const SectorBox& box) const = 0;
 };
 
-/// sup |f - I f| over e_s + e_t, I the interpolation at a cell's nodes.
+/// sup |f - I f|, I the interpolation at a cell's nodes.
 /// Maths     |f - I_s I_t f| <= |f - I_s f| + |I_s (f - I_t f)| <= (1+L_s) e_s + L_s (1+L_t) e_t, L the
-///           Lebesgue constants, 1 or more: at most L_s (1+L_t) + 1
-[[nodiscard]] inline double interpolation_gain(int nodes_s, int nodes_t) {
-  return (lebesgue_constant(nodes_s) * (1 + lebesgue_constant(nodes_t)) + 1) * upward;
+///           Lebesgue constants; or the other variable first
+[[nodiscard]] inline double interpolation_error(double e_s, int nodes_s, double e_t, int nodes_t) {
+  const double of_s = (1 + lebesgue_constant(nodes_s)) * e_s;
+  const double of_t = (1 + lebesgue_constant(nodes_t)) * e_t;
+  return std::min(of_s + lebesgue_constant(nodes_s) * of_t, of_t + lebesgue_constant(nodes_t) * of_s) *
+         upward;
 }
 
 /// Cells with rules that meet a demand.
@@ -67,7 +73,7 @@ public:
                                                        const std::function<void()>& planned = {});
 
 /// Cells with rules that meet a demand in the maximum norm.
-/// Maths     interpolation_gain (e_s + e_t) is about what is allowed, and less what the closure at an edge
+/// Maths     interpolation_error is about what is allowed, and less what the closure at an edge
 ///           leaves beside the jumps of w across borders, which no smaller cell would leave out
 /// Result    as above
 [[nodiscard]] std::vector<ObserverCell> observer_cells(const Trial& trial, const LargestDemand& demand,

@@ -208,8 +208,8 @@ private:
     const double interpolant = supremum(coefficients, static_cast<std::size_t>(cell.nodes_s),
                                         static_cast<std::size_t>(cell.nodes_t));
     return (interpolant + gain(cell) * found.radius + found.largest_shade() +
-            interpolation.rounding(trial_.smoothness.largest_residual(), 0) +
-            interpolation_gain(cell.nodes_s, cell.nodes_t) * cell.of_rules + cell.beside) *
+            interpolation.rounding(trial_.smoothness.largest_residual(), 0) + cell.of_interpolant +
+            cell.beside) *
            upward;
   }
 
@@ -334,9 +334,10 @@ std::string name_of_cells(const std::string& kind, const Trial& trial, std::span
     numbers.clear();
     for (const ObserverCell& cell : cells.subspan(first, std::min(cells_of_a_part, cells.size() - first))) {
       put(cell.element, cell.box);
-      numbers.insert(numbers.end(), {static_cast<double>(cell.nodes_s), static_cast<double>(cell.nodes_t),
-                                     cell.closed ? 1.0 : 0.0, cell.of_rules, cell.beside, cell.interpolation,
-                                     cell.quadrature, cell.shade, cell.least_mass, cell.shade_of_mean});
+      numbers.insert(numbers.end(),
+                     {static_cast<double>(cell.nodes_s), static_cast<double>(cell.nodes_t),
+                      cell.closed ? 1.0 : 0.0, cell.of_interpolant, cell.beside, cell.interpolation,
+                      cell.quadrature, cell.shade, cell.least_mass, cell.shade_of_mean});
     }
     digests += digest_of_numbers(numbers);
   }
@@ -447,7 +448,8 @@ std::vector<double> largest_residuals(const Trial& trial, std::span<const Observ
       parallel_for(size, cells_at_a_time, [&](std::size_t begin, std::size_t end) {
         const std::span<const ObserverCell> own = cells.subspan(first + begin, end - begin);
         std::vector<double> allowed;
-        for (const ObserverCell& cell : own) allowed.push_back(demand.allowed(cell.element));
+        for (const ObserverCell& cell : own)
+          allowed.push_back(demand.allowed(cell.element, trial.sector(cell.element), cell.box));
         const std::vector<double> bounds = residual.largest(own, allowed);
         std::copy(bounds.begin(), bounds.end(), part.begin() + static_cast<std::ptrdiff_t>(begin));
         if (work != nullptr) work->add(end - begin);
@@ -489,7 +491,10 @@ std::vector<double> expected_largest(const Trial& trial) {
   class Rough final : public LargestDemand {
   public:
     explicit Rough(double allowed) : allowed_(allowed) {}
-    [[nodiscard]] double allowed(std::size_t /*element*/) const override { return allowed_; }
+    [[nodiscard]] double allowed(std::size_t /*element*/, const Sector& /*sector*/,
+                                 const SectorBox& /*box*/) const override {
+      return allowed_;
+    }
     [[nodiscard]] bool may_be_strip(const Sector& /*sector*/, const SectorBox& /*box*/) const override {
       return false;
     }

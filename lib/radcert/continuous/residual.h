@@ -46,7 +46,7 @@ struct ResidualSums {
                                          MeshWork* work = nullptr, std::size_t residuals = 1);
 
 /// The largest values of |t_0| on cells.
-/// Maths     |t| <= supremum of the interpolant + L_s L_t times the samples' radius + interpolation_gain e, L
+/// Maths     |t| <= supremum of the interpolant + L_s L_t times the samples' radius + interpolation_error, L
 ///           the Lebesgue constants; at an edge of F - q, and |T w - F|
 /// Requires  cells of this trial
 /// Result    by cell, proved; the same bits for any number of threads

@@ -52,6 +52,12 @@ struct SectorBox {
 /// The halves of a box, cut across its longer sides on a sector; the lower parameters first.
 [[nodiscard]] std::array<SectorBox, 2> halves(const Sector& sector, const SectorBox& box);
 
+/// The corners of a part of a sector.
+[[nodiscard]] inline std::array<Vector<double>, 4> corners_of(const Sector& sector, const SectorBox& box) {
+  return {sector.point(box.s0, box.t0), sector.point(box.s1, box.t0), sector.point(box.s1, box.t1),
+          sector.point(box.s0, box.t1)};
+}
+
 /// The boundary of a polyhedron, ready for integration.
 /// Maths     sectors of a panel follow one another, in the order of its sides; extent bounds the coordinates
 /// Requires  panels of a closed surface: in the boundary of a convex body, or as cut_panels gives them, with

@@ -93,10 +93,4 @@ private:
   std::vector<std::size_t> first_element_;  ///< of each panel, and the number of all
 };
 
-/// The corners of a part of a sector.
-[[nodiscard]] inline std::array<Vector<double>, 4> corners_of(const Sector& sector, const SectorBox& box) {
-  return {sector.point(box.s0, box.t0), sector.point(box.s1, box.t0), sector.point(box.s1, box.t1),
-          sector.point(box.s0, box.t1)};
-}
-
 }  // namespace radcert

@@ -158,7 +158,8 @@ EdgeClosure::EdgeClosure(const SectorScene& scene, std::span<const SectorElement
       beyond_[i] = std::max(beyond_[i], size_around(w, e, 1, 1));
       const SectorBox& box = elements[e].box;
       const auto add = [&](double s0, double t0, double s1, double t1) {
-        around_[i].push_back({sector.point(s0, t0), sector.point(s1, t1)});
+        const SectorBox side{.s0 = s0, .s1 = s1, .t0 = t0, .t1 = t1};
+        around_[i].push_back(side_of(scene, elements[e].sector, side));
       };
       add(box.s0, box.t0, box.s0, box.t1);
       add(box.s1, box.t0, box.s1, box.t1);
@@ -218,18 +219,16 @@ EdgeClosure::Neighbourhood EdgeClosure::neighbourhood(std::size_t element, const
       border.from = above ? std::max(f.box.s0, g.box.s0) : std::max(f.box.t0, g.box.t0);
       border.to = above ? std::min(f.box.s1, g.box.s1) : std::min(f.box.t1, g.box.t1);
       if (!(above || beside) || !(border.from < border.to)) continue;
-      const Sector& sector = scene_.sectors()[f.sector];
-      const Side side = above ? Side{sector.point(border.from, f.box.t1), sector.point(border.to, f.box.t1)}
-                              : Side{sector.point(f.box.s1, border.from), sector.point(f.box.s1, border.to)};
-      out.jumps.push_back({side, jump(w, border, one, other)});
+      const SectorBox side =
+          above ? SectorBox{.s0 = border.from, .s1 = border.to, .t0 = f.box.t1, .t1 = f.box.t1}
+                : SectorBox{.s0 = f.box.s1, .s1 = f.box.s1, .t0 = border.from, .t1 = border.to};
+      out.jumps.push_back({side_of(scene_, f.sector, side), jump(w, border, one, other)});
     }
   return out;
 }
 
 double EdgeClosure::distance_around(std::size_t sector, const Vector<double>& point) const {
-  double nearest = infinity;
-  for (const Side& side : around_[sector]) nearest = std::min(nearest, distance(point, side.from, side.to));
-  return nearest;
+  return least_distance(point, around_[sector]);
 }
 
 double EdgeClosure::clearance(std::size_t sector, const Vector<double>& from,

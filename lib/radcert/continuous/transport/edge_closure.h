@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "radcert/continuous/elements/element_side.h"
 #include "radcert/continuous/elements/graded_elements.h"
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/elements/tensor_legendre.h"
@@ -50,12 +51,8 @@ public:
   [[nodiscard]] Nearby nearby_across_borders(std::size_t element, const SectorBox& box) const;
 
 private:
-  struct Side {
-    Vector<double> from;
-    Vector<double> to;
-  };
   struct Jump {
-    Side border;
+    ElementSide border;
     double size = 0;
   };
   /// Elements that touch one, itself among them.
@@ -71,7 +68,7 @@ private:
 
   const SectorScene& scene_;
   std::span<const SectorElement> elements_;
-  std::vector<std::vector<Side>> around_;           ///< by sector, on its opposite's panel
+  std::vector<std::vector<ElementSide>> around_;    ///< by sector, on its opposite's panel
   std::vector<double> beyond_;                      ///< by sector: sup |w| on its opposite's panel
   std::vector<std::optional<std::size_t>> mirror_;  ///< of each element
   std::vector<std::vector<double>> edge_sizes_;

@@ -48,30 +48,58 @@ const EllipseFactors& factors() {
   return table;
 }
 
-/// Adds the least bound times factor over the ellipses, for the first rules.
-void add_least_products(std::span<double> errors, const Bounds& bounds,
-                        const std::array<FactorsByNodes, axes.size()>& factors) {
+/// The least bound times factor over the ellipses, for each rule.
+FactorsByNodes least_products(const Bounds& bounds, const std::array<FactorsByNodes, axes.size()>& factors) {
   FactorsByNodes least;
   least.fill(infinity);
   for (std::size_t k = 0; k < axes.size(); ++k) {
     if (!(bounds[k] < infinity)) continue;
-    for (std::size_t n = 0; n < errors.size(); ++n) {
+    for (std::size_t n = 0; n < least.size(); ++n) {
       const double product = bounds[k] * factors[k][n];
       least[n] = product < least[n] ? product : least[n];
     }
   }
-  for (std::size_t n = 0; n < errors.size(); ++n) errors[n] += least[n] * upward;
+  for (double& error : least) error *= upward;
+  return least;
+}
+
+/// What rules miss of a function within bounds.
+/// Maths     density: bounds of w and the area element
+RuleErrors rule_errors(const Bounds& bounds, const Bounds& density) {
+  return {.interpolation = least_products(bounds, factors().interpolation),
+          .quadrature = least_products(product(bounds, density), factors().quadrature)};
+}
+
+/// What rules miss where a part of the function, `rest` at most, is not within the bounds of `errors`.
+void lower(RuleErrors& to, const RuleErrors& errors, double rest, double w_size) {
+  for (std::size_t n = 0; n < most_gauss_nodes; ++n) {
+    to.interpolation[n] = std::min(to.interpolation[n], (errors.interpolation[n] + rest) * upward);
+    to.quadrature[n] = std::min(to.quadrature[n], (errors.quadrature[n] + 2 * w_size * rest) * upward);
+  }
+}
+
+void add(RuleErrors& to, const RuleErrors& errors) {
+  for (std::size_t n = 0; n < most_gauss_nodes; ++n) {
+    to.interpolation[n] += errors.interpolation[n];
+    to.quadrature[n] += errors.quadrature[n];
+  }
 }
 
 /// Of a function within the bounds that is a polynomial of a degree below `exact`.
-void add_interpolation(RuleErrors& errors, const Bounds& bounds, std::size_t exact = most_gauss_nodes + 1) {
-  const std::size_t most = errors.interpolation.size();
-  add_least_products(std::span(errors.interpolation).first(std::min(exact - 1, most)), bounds,
-                     factors().interpolation);
+void add_interpolation(RuleErrors& errors, const Bounds& bounds, std::size_t exact) {
+  const FactorsByNodes least = least_products(bounds, factors().interpolation);
+  for (std::size_t n = 0; n < std::min(exact - 1, least.size()); ++n) errors.interpolation[n] += least[n];
 }
 
 void add_quadrature(RuleErrors& errors, const Bounds& bounds) {
-  add_least_products(errors.quadrature, bounds, factors().quadrature);
+  const FactorsByNodes least = least_products(bounds, factors().quadrature);
+  for (std::size_t n = 0; n < least.size(); ++n) errors.quadrature[n] += least[n];
+}
+
+/// A bound of T_j w in an ellipse where Q slides, and of xi T_j 1.
+double slid(double half, double reach, double axis, const SlidSizes& w, double xi) {
+  const double part = slide_part(half, reach, axis);
+  return slide_bound(part) * (w.at(part) + xi);
 }
 
 }  // namespace
@@ -91,6 +119,9 @@ struct Smoothness::Cell {
   double from_edge = 0;     ///< of lines s = const: the middle of t in units of half the line
 
   [[nodiscard]] Vector<double> middle() const { return 0.5 * (from + to); }
+  [[nodiscard]] std::array<Vector<double>, 4> corners() const {
+    return {from - half_from, from + half_from, to + half_to, to - half_to};
+  }
   [[nodiscard]] double half_of_middles() const { return 0.5 * norm(to - from) * upward; }
   [[nodiscard]] double half(double slack) const {
     return std::max(norm(half_from), norm(half_to)) * upward + slack;
@@ -102,6 +133,7 @@ Smoothness::Smoothness(const SectorScene& scene, std::span<const SectorElement> 
     : scene_(scene),
       elements_(elements),
       closure_(closure),
+      continuation_(scene, elements, w),
       panel_size_(scene.panels().size()),
       slid_size_(scene.panels().size()),
       turned_size_(scene.sectors().size()),
@@ -113,33 +145,21 @@ Smoothness::Smoothness(const SectorScene& scene, std::span<const SectorElement> 
     w_size_.push_back(size_in_ellipse(w_sizes_.back().by_s, 1));
     q_size_.push_back(size_in_ellipse(q_sizes_.back().by_s, 1));
     panel_size_[panel] = std::max(panel_size_[panel], w_size_.back());
-    slid_size_[panel] = std::max(slid_size_[panel], size_around(w, e, slid_growth, slid_growth));
+    slid_size_[panel].include(w, e);
     size_ = std::max(size_, w_size_.back());
     largest_q_ = std::max(largest_q_, q_size_.back());
-    if (elements[e].box.t0 == 0) lowest_layer_ = std::min(lowest_layer_, elements[e].box.t1);
   }
   for (std::size_t i = 0; i < scene.sectors().size(); ++i) {
     const std::optional<std::size_t> opposite = scene.opposite(i);
     if (opposite) turned_size_[i] = panel_size_[scene.sectors()[*opposite].panel];
-    std::vector<bool> aligned;
-    for (std::size_t k = 0; k < scene.sectors().size(); ++k) aligned.push_back(scene.aligned(i, k));
     for (std::size_t e = 0; e < elements.size(); ++e) {
       const std::size_t other = elements[e].sector;
-      const Sector& sector = scene.sectors()[other];
       const SectorBox& box = elements[e].box;
       if (other == opposite && box.t0 == 0)
         turned_size_[i] = std::max(turned_size_[i], size_around(w, e, turned_along, turned_across));
-      if (!scene.parallel(i, sector.panel)) continue;
-      std::vector<Side>& sides = sides_[i * scene.panels().size() + sector.panel];
-      const auto add = [&](double s0, double t0, double s1, double t1) {
-        sides.push_back({sector.point(s0, t0), sector.point(s1, t1)});
-      };
-      add(box.s0, box.t0, box.s0, box.t1);
-      add(box.s1, box.t0, box.s1, box.t1);
-      if (aligned[other]) continue;
-      add(box.s0, box.t0, box.s1, box.t0);
-      add(box.s0, box.t1, box.s1, box.t1);
     }
+    for (std::size_t j = 0; j < scene.panels().size(); ++j)
+      if (scene.parallel(i, j)) sides_[i * scene.panels().size() + j] = sides_across(scene, elements, i, j);
   }
 }
 
@@ -205,20 +225,17 @@ ObserverLines Smoothness::lines(const Cell& cell, std::size_t panel) const {
   return lines;
 }
 
-double Smoothness::reach_of_slide(const Cell& cell, std::size_t panel) const {
-  const std::size_t sector = elements_[cell.element].sector;
-  double nearest = infinity;
-  for (const Side& side : sides_[sector * scene_.panels().size() + panel])
-    nearest = std::min(nearest, distance(cell.middle(), side.from, side.to));
-  return nearest / upward - cell.half_of_middles() - 4 * displacement * scene_.extent();
+double Smoothness::reach_of_slide(const Cell& cell, std::span<const ElementSide> sides) const {
+  return least_distance(cell.middle(), sides) / upward - cell.half_of_middles() -
+         4 * displacement * scene_.extent();
 }
 
 /// How far Q may turn about the edge that the lines of a cell come from; 0: not at all.
-/// Maths     r = min(d/(4 (1+q)), H T/2), d the clearance of the points where the lines meet the edge, H the
-///           height of the opposite sector, T its lowest layer, q the quotient of its longer leg and H. The
-///           parameters of Q are then off those of x by at most 1/2 in x, since d is at most half the width
-///           of the element, and by 1 in y, which is -1 at x: |P_i(x)| <= (3/2 + (5/4)^(1/2))^i, |P_j(y)| <=
-///           (2 + 3^(1/2))^j
+/// Maths     r = d/(4 (1+q)), d the clearance of the points where the lines meet the edge, H the height of
+///           the opposite sector, q the quotient of its longer leg and H. The parameters of Q are then off
+///           those of x by at most 1/2 in x, since d is at most half the width of the element, and by 1 in y,
+///           which is -1 at x, since d is at most the element's depth: |P_i(x)| <= (3/2 + (5/4)^(1/2))^i,
+///           |P_j(y)| <= (2 + 3^(1/2))^j
 double Smoothness::reach_of_turn(const Cell& cell) const {
   const std::size_t sector = elements_[cell.element].sector;
   if (cell.along_edge || !scene_.opposite(sector)) return 0;
@@ -228,7 +245,7 @@ double Smoothness::reach_of_turn(const Cell& cell) const {
                                               cell.to - cell.from_edge * cell.half_to);
   const double height = opposite.jacobian / (norm(opposite.b - opposite.a) + slack) / upward;
   const double leg = std::max(norm(opposite.c - opposite.a), norm(opposite.c - opposite.b)) * upward + slack;
-  return std::min(clearance / (4 * (1 + leg / height)), 0.5 * height * lowest_layer_) / upward;
+  return clearance / (4 * (1 + leg / height)) / upward;
 }
 
 /// What a cell sees of each panel.
@@ -286,18 +303,29 @@ RuleErrors Smoothness::along(const Cell& cell, bool closed) const {
     const ObserverLines seen = lines(cell, j);
     const bool is_whole = views[j] == PanelView::whole;
     const bool may_slide = is_whole && cell.along_edge && scene_.parallel(own.sector, j);
-    const double slide = may_slide ? reach_of_slide(cell, j) : 0;
+    const double slide =
+        may_slide ? reach_of_slide(cell, sides_[own.sector * scene_.panels().size() + j]) : 0;
     Bounds bounds{};
     for (std::size_t k = 0; k < axes.size(); ++k) {
       bounds[k] = tube_bound(seen, axes[k]) * (panel_size_[j] + xi[k]);
-      if (may_slide)
-        bounds[k] = std::min(bounds[k], slide_bound(seen.half, slide, axes[k]) * (slid_size_[j] + xi[k]));
+      if (may_slide) bounds[k] = std::min(bounds[k], slid(seen.half, slide, axes[k], slid_size_[j], xi[k]));
       if (is_whole && beyond_edge && turn > 0 && axes[k] < cell.from_edge)
         bounds[k] = std::min(bounds[k], turn_bound(seen.half * (cell.from_edge + axes[k]), turn) *
                                             (turned_size_[own.sector] + xi[k]));
     }
-    add_interpolation(errors, bounds);
-    add_quadrature(errors, product(bounds, density));
+    RuleErrors of_panel = rule_errors(bounds, density);
+    if (may_slide && beyond_edge)
+      for (const EdgeContinuation::Continued& continued : continuation_.beyond(cell.element)) {
+        const double reach = reach_of_slide(cell, continued.sides);
+        if (!(reach > slide)) continue;
+        SlidSizes sizes = continued.sizes;
+        sizes.include(slid_size_[j]);
+        for (std::size_t k = 0; k < axes.size(); ++k)
+          bounds[k] = slid(seen.half, reach, axes[k], sizes, xi[k]);
+        lower(of_panel, rule_errors(bounds, density),
+              continuation_.rest(continued, cell.element, cell.corners()), w_size_[cell.element]);
+      }
+    add(errors, of_panel);
   }
   return errors;
 }

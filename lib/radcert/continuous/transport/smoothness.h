@@ -6,11 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "radcert/continuous/elements/element_side.h"
 #include "radcert/continuous/elements/gauss_tables.h"
 #include "radcert/continuous/elements/graded_elements.h"
 #include "radcert/continuous/elements/sector.h"
 #include "radcert/continuous/elements/tensor_legendre.h"
 #include "radcert/continuous/transport/edge_closure.h"
+#include "radcert/continuous/transport/edge_continuation.h"
 #include "radcert/continuous/transport/transport_bounds.h"
 
 namespace radcert {
@@ -28,7 +30,8 @@ struct RuleErrors {
 ///           in which ObserverLines' bounds hold; closed at an edge, F of EdgeClosure in its place. Of a
 ///           panel that is seen in part, F of Penumbra: its parts and their shares do not depend on P, so
 ///           that the tube's bound holds, in which no Q moves. What holds in an ellipse bounds polynomials
-///           and rules by polynomial_error_factor and gauss_mean_error_factor
+///           and rules by polynomial_error_factor and gauss_mean_error_factor. Along an edge T_j w~ of
+///           EdgeContinuation may stand for T_j w of the panel beyond, and T_j |w - w~| is added
 /// Requires  the scene, the elements and the closure outlive it; w and q have the same degree and count
 /// Result    rounded up; infinite where an edge is touched
 class Smoothness {
@@ -47,15 +50,11 @@ public:
   [[nodiscard]] double largest_residual() const { return 2 * size_ + 2 * largest_q_; }
 
 private:
-  struct Side {
-    Vector<double> from;
-    Vector<double> to;
-  };
   struct Cell;
   [[nodiscard]] Cell across_s(std::size_t element, const SectorBox& box) const;
   [[nodiscard]] Cell across_t(std::size_t element, const SectorBox& box) const;
   [[nodiscard]] ObserverLines lines(const Cell& cell, std::size_t panel) const;
-  [[nodiscard]] double reach_of_slide(const Cell& cell, std::size_t panel) const;
+  [[nodiscard]] double reach_of_slide(const Cell& cell, std::span<const ElementSide> sides) const;
   [[nodiscard]] double reach_of_turn(const Cell& cell) const;
   [[nodiscard]] std::vector<PanelView> seen_from(const Cell& cell) const;
   [[nodiscard]] RuleErrors along(const Cell& cell, bool closed) const;
@@ -63,17 +62,17 @@ private:
   const SectorScene& scene_;
   std::span<const SectorElement> elements_;
   const EdgeClosure& closure_;
+  EdgeContinuation continuation_;
   std::vector<PolynomialSizes> w_sizes_;
   std::vector<PolynomialSizes> q_sizes_;
   std::vector<double> w_size_;  ///< of each element
   std::vector<double> q_size_;
-  std::vector<double> panel_size_;        ///< sup |w|
-  std::vector<double> slid_size_;         ///< the same where Q has moved
-  std::vector<double> turned_size_;       ///< by sector: sup |w| where Q has turned about its side
-  std::vector<std::vector<Side>> sides_;  ///< by sector, panel: those not parallel to the sector's side
+  std::vector<double> panel_size_;               ///< sup |w|
+  std::vector<SlidSizes> slid_size_;             ///< the same where Q has slid
+  std::vector<double> turned_size_;              ///< by sector: sup |w| where Q has turned about its side
+  std::vector<std::vector<ElementSide>> sides_;  ///< by sector, panel: those of sides_across
   double size_ = 0;
   double largest_q_ = 0;
-  double lowest_layer_ = 1;  ///< the least depth of elements at edges
 };
 
 }  // namespace radcert

@@ -31,11 +31,16 @@ double tube_bound(const ObserverLines& lines, double axis) {
                   (1 + axis * lines.turned / lines.height) * std::min(by_nearest, by_rings) * upward);
 }
 
-double slide_bound(double half, double reach, double axis) {
+double slide_part(double half, double reach, double axis) {
   const double a = half * axis;
   if (!(a < reach)) return infinity;
   const double b = half * std::sqrt(axis * axis - 1);
   const double squared = b * b / (reach * reach - a * a) * upward;
+  return squared < 1 ? std::sqrt(squared) * upward : infinity;
+}
+
+double slide_bound(double part) {
+  const double squared = part * part * upward;
   if (!(squared < 1)) return infinity;
   return std::sqrt(1 + squared) / ((1 - squared) * (1 - squared)) * upward;
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <limits>
+
+#include "radcert/continuous/upward.h"
 
 namespace radcert {
 
@@ -37,21 +40,31 @@ struct ObserverLines {
 /// Result    rounded up; infinite where the ellipse comes near the panel
 [[nodiscard]] double tube_bound(const ObserverLines& lines, double axis);
 
-/// sup |T_j w| / sup |w| where e is parallel to Q_j, whose points slide along.
+/// How far Q_j may slide where e is parallel to it, as a part of the distance of its points from sides.
 /// Maths     P = p + i tau e with p real, and Q moves to Q + i tau phi e, phi = max(0, 1 - |Q-p|/r), r at
 ///           most the distance of p from all sides of elements of Q_j that are not parallel to e: Cauchy's
 ///           theorem on each line along e. Im(P-Q) = tau (1-phi) e is no longer than theta |p-Q|, theta =
 ///           |tau e|/r, so that |T_j w| <= (1+theta^2)^(1/2) (1-theta^2)^-2 sup |w| on the points that are
 ///           reached. r is Lipschitz: theta = b/(r^2 - a^2)^(1/2), a = A |e|, b = B |e|, holds on the
 ///           ellipse, r = `reach` taken at its middle
-/// Result    rounded up; infinite where theta reaches 1
-[[nodiscard]] double slide_bound(double half, double reach, double axis);
+/// Result    theta, rounded up; infinite where it reaches 1
+[[nodiscard]] double slide_part(double half, double reach, double axis);
+/// sup |T_j w| / sup |w| where Q slides by such a part.
+/// Result    rounded up; infinite where it is 1 or more
+[[nodiscard]] double slide_bound(double part);
 
-/// Where Q slides, Legendre's polynomials of the parameters of its element grow by this a degree at most.
-/// Maths     both parameters stay in the unit disk: the real segment that is as long as Q moves lies in the
-///           element, and the disk about it goes to a disk about a part of [-1,1], as x and y are affine or
-///           quotients of affine functions of the way. There |P_i| <= (1 + sqrt(2))^i
-inline constexpr double slid_growth = 2.4143;
+/// Where Q slides by a part theta <= 1, Legendre's polynomials of the parameters of its element grow by this a
+/// degree at most.
+/// Maths     both parameters stay in the lens between the circles through -1, 1 and +-i theta: the real
+///           segment on either side of Q of 1/theta times the length that Q moves lies in the element. The
+///           parameters are affine or quotients of affine functions of the way, which keep circles and angles
+///           and take the segment to a part of [-1,1], that is seen under a smaller angle than [-1,1]. Of
+///           points that see [-1,1] under one angle, |z-1| + |z+1| is largest at i theta: |P_i| <= (theta +
+///           (1 + theta^2)^(1/2))^i
+/// Result    rounded up
+[[nodiscard]] inline double slid_growth(double theta) {
+  return (theta + std::sqrt(1 + theta * theta)) * upward;
+}
 
 /// The modulus of the kernel's form at complex observers beside that at real ones, where Q turns.
 /// Maths     P = x + t g and Q = x + e^(i alpha) q h with unit vectors g and h, 0 <= alpha <= arg t <= pi/2
