@@ -47,9 +47,9 @@ SectorFunctions drawn(std::size_t elements, std::uint64_t seed) {
 }
 
 struct Case {
-  Case(const std::string& name, int layers, int cuts, std::uint64_t seed)
+  Case(const std::string& name, int layers, std::uint64_t seed)
       : scene(panels_of(name)),
-        elements(graded_elements(scene, layers, cuts)),
+        elements(graded_elements(scene, layers)),
         w(drawn(elements.size(), seed)),
         continuation(scene, elements, w) {}
 
@@ -134,7 +134,7 @@ std::vector<Vector<double>> corners(const Sector& sector, const SectorBox& box) 
 class EdgeContinuationOf : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(EdgeContinuationOf, IsOfTheElementsOppositeWithTheSameEnds) {
-  const Case on(GetParam(), 3, 1, 5);
+  const Case on(GetParam(), 3, 5);
   std::size_t there = 0;
   for (std::size_t e = 0; e < on.elements.size(); ++e) {
     if (!on.scene.opposite(on.elements[e].sector)) continue;
@@ -146,7 +146,7 @@ TEST_P(EdgeContinuationOf, IsOfTheElementsOppositeWithTheSameEnds) {
 }
 
 TEST_P(EdgeContinuationOf, IsOnePolynomialAlongTheEdgeBetweenItsSides) {
-  const Case on(GetParam(), 3, 1, 6);
+  const Case on(GetParam(), 3, 6);
   Draw draw(7);
   int crossing = 0;
   for (int k = 0; k < 3000; ++k) {
@@ -173,7 +173,7 @@ TEST_P(EdgeContinuationOf, IsOnePolynomialAlongTheEdgeBetweenItsSides) {
 }
 
 TEST_P(EdgeContinuationOf, LeavesNoMoreThanTheRest) {
-  const Case on(GetParam(), 3, 1, 8);
+  const Case on(GetParam(), 3, 8);
   Draw draw(9);
   double closest = 0;
   double nearest = 0;
@@ -256,7 +256,7 @@ TEST_P(EdgeContinuationOf, LeavesNoMoreThanTheRest) {
 }
 
 TEST_P(EdgeContinuationOf, HasSizesWhereItsPointsSlide) {
-  const Case on(GetParam(), 3, 0, 10);
+  const Case on(GetParam(), 3, 10);
   double closest = 0;
   for (std::size_t e = 0; e < on.elements.size(); ++e)
     for (std::size_t which = 0; which < on.continuation.beyond(e).size(); ++which) {

@@ -22,8 +22,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// With two the elements at edges touch those at the centres of faces, which have no slopes.
 constexpr int first_layers = 3;
-/// Of elements at vertices.
-constexpr int most_cuts = 3;
 /// Of the radius that is wanted: its products with bounds stay within double.
 constexpr double largest_radius = 1e100;
 
@@ -209,21 +207,11 @@ private:
     return bound >= 0 ? bound : infinity;
   }
 
-  /// How often elements at vertices are cut, until they are small beside the distance that is asked for.
-  [[nodiscard]] int cuts_at_vertices(int layers) const {
-    double width = 0;
-    for (const Sector& sector : data_.scene.sectors()) width = std::max(width, norm(sector.b - sector.a));
-    width = std::ldexp(width, 1 - 2 * layers);
-    int cuts = 0;
-    for (; outside_ > 0 && 8 * width > outside_ && cuts < most_cuts; width /= 4) ++cuts;
-    return cuts;
-  }
-
   /// One mesh; false where it is passed over, since its residuals would be too large.
   bool try_layers(int layers, const SearchContext& context) {
     const int degree = data_.trial_degree(layers + 1);
     const double tolerance = 1e-2 * std::pow(4.0, -layers);
-    std::vector<SectorElement> elements = graded_elements(data_.scene, layers, cuts_at_vertices(layers));
+    std::vector<SectorElement> elements = graded_elements(data_.scene, layers);
     EnclosureProgress begun{.layers = layers, .degree = degree, .elements = elements.size()};
     begun.samples = best_.last.samples;
     begun.width = 2 * best_.sup;
@@ -253,7 +241,7 @@ private:
     // What rules may miss: a part of what is left of the radius, or of what is there anyhow.
     double reflects = 0;
     for (std::size_t e = 0; e < trial.elements.size(); ++e) reflects = std::max(reflects, trial.rho(e));
-    const double left = std::max(0.5 * (radius_ - hoped) * data_.gap / reflects, 0.3 * of_outside);
+    const double left = std::max(0.36 * (radius_ - hoped) * data_.gap / reflects, 0.3 * of_outside);
     for (std::size_t e = 0; e < expected.size(); ++e)
       expected[e] = trial.rho(e) > 0 ? std::max(left, 0.3 * expected[e]) : infinity;
     const DemandOutside demand(disks_, std::move(expected), left,
@@ -329,13 +317,20 @@ private:
   [[nodiscard]] std::vector<SectorBox> cut_towards_vertex(const Sector& sector, SectorBox box,
                                                           double least) const {
     std::vector<SectorBox> out;
+    const bool at_start = box.s0 == 0;
     constexpr double narrowest = 0x1p-36;  // certificates have parameters with 40 bits
-    while (box.t0 == 0 && (box.s0 == 0 || box.s1 == 1) && box.s1 - box.s0 > narrowest && box.t1 > narrowest &&
+    while (box.t0 == 0 && (at_start || box.s1 == 1) && box.s1 - box.s0 > narrowest && box.t1 > narrowest &&
            disks_.distance_at_most(sector, box) > least) {
-      const CutAtVertex parts = cut_at_vertex(box);
-      out.push_back(parts.beside);
-      out.push_back(parts.above);
-      box = parts.at_vertex;
+      SectorBox beside = box;
+      const double quarter = 0.25 * (box.s1 - box.s0);
+      if (at_start)
+        beside.s0 = box.s1 = box.s0 + quarter;
+      else
+        beside.s1 = box.s0 = box.s1 - quarter;
+      SectorBox above = box;
+      above.t0 = box.t1 = 0.25 * box.t1;
+      out.push_back(beside);
+      out.push_back(above);
     }
     out.push_back(box);
     return out;

@@ -25,21 +25,8 @@ PartOfInterval part_in_t(const SectorBox& part, const SectorBox& whole) {
   return part_of(part.t0, part.t1, whole.t0, whole.t1);
 }
 
-CutAtVertex cut_at_vertex(const SectorBox& box) {
-  CutAtVertex cut{.beside = box, .above = box, .at_vertex = box};
-  const double quarter = 0.25 * (box.s1 - box.s0);
-  if (box.s0 == 0)
-    cut.beside.s0 = cut.above.s1 = cut.at_vertex.s1 = box.s0 + quarter;
-  else
-    cut.beside.s1 = cut.above.s0 = cut.at_vertex.s0 = box.s1 - quarter;
-  cut.above.t0 = cut.at_vertex.t1 = 0.25 * box.t1;
-  return cut;
-}
-
-std::vector<SectorElement> graded_elements(const SectorScene& scene, int layers, int cuts_at_vertices) {
-  expects(layers >= 1 && cuts_at_vertices >= 0 && layers + cuts_at_vertices <= 12,
-          "1 <= layers, 0 <= cuts_at_vertices, at most 12 in all", named("layers", layers),
-          named("cuts_at_vertices", cuts_at_vertices));
+std::vector<SectorElement> graded_elements(const SectorScene& scene, int layers) {
+  expects(layers >= 1 && layers <= 12, "1 <= layers <= 12", named("layers", layers));
   std::vector<SectorBox> boxes;
   for (int layer = 0; layer < layers; ++layer) {
     const double t1 = std::ldexp(1.0, -2 * layer);
@@ -51,14 +38,6 @@ std::vector<SectorElement> graded_elements(const SectorScene& scene, int layers,
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
       boxes.push_back({.s0 = cuts[i], .s1 = cuts[i + 1], .t0 = t0, .t1 = t1});
   }
-  const auto at_vertex = [](const SectorBox& box) { return box.t0 == 0 && (box.s0 == 0 || box.s1 == 1); };
-  for (std::size_t k = 0; k < boxes.size(); ++k)
-    for (int cut = 0; at_vertex(boxes[k]) && cut < cuts_at_vertices; ++cut) {
-      const CutAtVertex parts = cut_at_vertex(boxes[k]);
-      boxes[k] = parts.at_vertex;
-      boxes.push_back(parts.beside);
-      boxes.push_back(parts.above);
-    }
   std::vector<SectorElement> elements;
   for (std::size_t sector = 0; sector < scene.sectors().size(); ++sector)
     for (const SectorBox& box : boxes) elements.push_back({sector, box});

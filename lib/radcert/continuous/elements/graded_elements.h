@@ -26,24 +26,13 @@ struct PartOfInterval {
 [[nodiscard]] PartOfInterval part_in_s(const SectorBox& part, const SectorBox& whole);
 [[nodiscard]] PartOfInterval part_in_t(const SectorBox& part, const SectorBox& whole);
 
-/// A box at a vertex, cut to a quarter of its lengths.
-struct CutAtVertex {
-  SectorBox beside;  ///< along the edge
-  SectorBox above;
-  SectorBox at_vertex;
-};
-/// Requires  a box with t0 = 0, and s0 = 0 or s1 = 1
-[[nodiscard]] CutAtVertex cut_at_vertex(const SectorBox& box);
-
 /// Elements that shrink towards edges and vertices.
 /// Maths     layers of t between 0, 4^-(L-1), ..., 1/4, 1; the layer below 4^-l is cut at s = 4^-k/2 and 1 -
-///           4^-k/2, k = 0, ..., l: L(L+1) elements a sector. Those at vertices are then cut more often.
-///           Both sides of an edge have the same points
+///           4^-k/2, k = 0, ..., l: L(L+1) elements a sector. Both sides of an edge have the same points
 /// Source    geometric meshes of hp methods: C. Schwab, "p- and hp-Finite Element Methods", 1998
-/// Requires  1 <= layers, 0 <= cuts_at_vertices, at most 12 in all, else ContractViolation
+/// Requires  1 <= layers <= 12, else ContractViolation
 /// Result    in the order of the sectors
-[[nodiscard]] std::vector<SectorElement> graded_elements(const SectorScene& scene, int layers,
-                                                         int cuts_at_vertices = 0);
+[[nodiscard]] std::vector<SectorElement> graded_elements(const SectorScene& scene, int layers);
 
 /// The largest diameter of an element, rounded.
 [[nodiscard]] double mesh_size(const SectorScene& scene, std::span<const SectorElement> elements);

@@ -27,6 +27,8 @@ struct PointRange {
   double terms = 0;
 };
 
+std::size_t in_whole_packs(std::size_t size) { return (size + Pack::lanes - 1) / Pack::lanes * Pack::lanes; }
+
 /// A part of an element, and how much of it is counted.
 struct Part {
   std::size_t element = 0;
@@ -42,8 +44,8 @@ Transport::Transport(const SectorScene& scene, std::span<const SectorElement> el
       elements_(elements),
       powers_(static_cast<std::size_t>(functions.degree() + 1)),
       count_(functions.count()),
-      stride_((functions.count() + Pack::lanes - 1) / Pack::lanes * Pack::lanes),
-      coefficients_(elements.size() * functions.size() * stride_),
+      stride_(count_ == 1 ? 1 : in_whole_packs(count_)),
+      coefficients_(elements.size() * powers_ * (count_ == 1 ? in_whole_packs(powers_) : powers_ * stride_)),
       penumbra_(scene, elements, functions) {
   for (std::size_t e = 0; e < elements.size(); ++e) {
     const std::size_t panel = scene.sectors()[elements[e].sector].panel;
@@ -51,7 +53,12 @@ Transport::Transport(const SectorScene& scene, std::span<const SectorElement> el
     sizes_.push_back(polynomial_sizes(functions, e, 0, functions.count()));
     element_size_.push_back(size_in_ellipse(sizes_.back().by_s, 1));
     size_ = std::max(size_, element_size_.back());
-    for (std::size_t k = 0; k < count_; ++k)
+    if (count_ == 1)
+      for (std::size_t i = 0; i < powers_; ++i)
+        for (std::size_t j = 0; j < powers_; ++j)
+          coefficients_[(e * powers_ + j) * in_whole_packs(powers_) + i] =
+              functions.of(e, 0)[i * powers_ + j];
+    for (std::size_t k = 0; k < count_ && count_ > 1; ++k)
       for (std::size_t i = 0; i < functions.size(); ++i)
         coefficients_[(e * functions.size() + i) * stride_ + k] = functions.of(e, k)[i];
   }
@@ -76,7 +83,9 @@ public:
         values_(points_.size() * stride_),
         legendre_s_(most_source_nodes * powers_),
         legendre_t_(most_source_nodes * powers_),
-        contracted_(powers_ * stride_) {
+        contracted_(std::max(powers_ * stride_, in_whole_packs(powers_))),
+        packs_of_s_(2 * powers_),
+        packs_of_t_(2 * powers_) {
     ranges_.push_back({.begin = 0, .end = points_.size(), .ball = ball_of(0, points_.size())});
     for (std::size_t r = 0; r < ranges_.size(); ++r) {
       const std::size_t begin = ranges_[r].begin;
@@ -194,7 +203,10 @@ private:
                                               scene_.extent() / (least * least * least)
                                         : infinity;
         ranges_[r].error += in_s.error + in_t.error + kernel_error;
-        add_nodes(part, in_s.nodes, in_t.nodes);
+        if (stride_ == 1)
+          add_nodes_of_one(part, in_s.nodes, in_t.nodes);
+        else
+          add_nodes(part, in_s.nodes, in_t.nodes);
         constexpr std::size_t block = 1024;
         if (x_.size() >= block) flush(r);
         continue;
@@ -275,6 +287,79 @@ private:
     }
   }
 
+  /// A rule's nodes or weights, filled up to whole packs.
+  using PaddedNodes = std::array<double, 2 * Pack::lanes>;
+  static_assert(most_source_nodes <= static_cast<int>(2 * Pack::lanes));
+  static PaddedNodes padded(const std::vector<double>& numbers) {
+    PaddedNodes out{};
+    std::copy(numbers.begin(), numbers.end(), out.begin());
+    return out;
+  }
+
+  /// P_0, ..., P_degree of an element at padded nodes on a part of it, by pack, degree.
+  void tabulate(const PartOfInterval& part, const PaddedNodes& nodes, std::size_t packs,
+                std::vector<Pack>& table) const {
+    for (std::size_t b = 0; b < packs; ++b)
+      legendre_values<Pack>(Pack(part.middle) + Pack(part.half) * Pack::load(&nodes[b * Pack::lanes]),
+                            std::span(table).subspan(b * powers_, powers_));
+  }
+
+  /// The same for one function, at as many nodes at a time as a pack has lanes.
+  void add_nodes_of_one(const Part& part, int in_s, int in_t) {
+    const SectorElement& element = transport_.elements_[part.element];
+    const SectorBox& box = part.box;
+    const Sector& sector = scene_.sectors()[element.sector];
+    const auto nodes_s = static_cast<std::size_t>(in_s);
+    const auto nodes_t = static_cast<std::size_t>(in_t);
+    const std::size_t packs_s = in_whole_packs(nodes_s) / Pack::lanes;
+    const PaddedNodes at_s = padded(gauss_on_interval(in_s).nodes);
+    const PaddedNodes at_t = padded(gauss_on_interval(in_t).nodes);
+    const PaddedNodes weights_s = padded(gauss_on_interval(in_s).weights);
+    const PaddedNodes weights_t = padded(gauss_on_interval(in_t).weights);
+    tabulate(part_in_s(box, element.box), at_s, packs_s, packs_of_s_);
+    tabulate(part_in_t(box, element.box), at_t, in_whole_packs(nodes_t) / Pack::lanes, packs_of_t_);
+    const double half_s = 0.5 * (box.s1 - box.s0);
+    const double half_t = 0.5 * (box.t1 - box.t0);
+    const double scale = part.share * std::numbers::inv_pi * sector.jacobian * half_s * half_t;
+    const std::size_t padded_powers = in_whole_packs(powers_);
+    const double* const c = transport_.coefficients_.data() + part.element * powers_ * padded_powers;
+    const std::size_t begin = x_.size();
+    const std::size_t nodes = nodes_s * nodes_t;
+    const auto resize = [&](std::size_t size) {
+      for (std::vector<double>* numbers : {&x_, &y_, &z_, &weights_}) numbers->resize(size);
+    };
+    resize(begin + nodes + Pack::lanes);
+    for (std::size_t j = 0; j < nodes_t; ++j) {
+      const double t = box.middle_t() + half_t * at_t[j];
+      const Pack* const of_t = &packs_of_t_[j / Pack::lanes * powers_];
+      for (std::size_t i = 0; i < padded_powers; i += Pack::lanes) {
+        Pack sum(0.0);
+        for (std::size_t l = 0; l < powers_; ++l)
+          sum = fma(Pack::load(c + l * padded_powers + i), Pack(of_t[l].lane(j % Pack::lanes)), sum);
+        sum.store(&contracted_[i]);
+      }
+      // What a pack has beyond the nodes of this line is written over by the next one, or taken away.
+      for (std::size_t b = 0; b < packs_s; ++b) {
+        const std::size_t place = begin + j * nodes_s + b * Pack::lanes;
+        Pack sum(0.0);
+        for (std::size_t l = 0; l < powers_; ++l)
+          sum = fma(Pack(contracted_[l]), packs_of_s_[b * powers_ + l], sum);
+        const Pack weight = Pack(scale * (1 - t) * weights_t[j]) * Pack::load(&weights_s[b * Pack::lanes]);
+        (weight * sum).store(&weights_[place]);
+        const Pack s = Pack(box.middle_s()) + Pack(half_s) * Pack::load(&at_s[b * Pack::lanes]);
+        const Pack of_a = Pack(1 - t) * (Pack(1.0) - s);
+        const Pack of_b = Pack(1 - t) * s;
+        const auto coordinate = [&](double a, double b_, double c_) {
+          return of_a * Pack(a) + of_b * Pack(b_) + Pack(t * c_);
+        };
+        coordinate(sector.a.x, sector.b.x, sector.c.x).store(&x_[place]);
+        coordinate(sector.a.y, sector.b.y, sector.c.y).store(&y_[place]);
+        coordinate(sector.a.z, sector.b.z, sector.c.z).store(&z_[place]);
+      }
+    }
+    resize(begin + nodes);
+  }
+
   /// Sums over the nodes that are collected, for the points of a range, and forgets them.
   void flush(std::size_t r) {
     if (x_.empty()) return;
@@ -287,8 +372,8 @@ private:
     const std::size_t nodes = x_.size();
     weights_.resize(nodes * stride_);  // the new ones are 0
     std::size_t p = ranges_[r].begin;
-    for (; p + 2 <= ranges_[r].end; p += 2) sum_for<2>(p);
-    if (p < ranges_[r].end) sum_for<1>(p);
+    for (; p + 2 <= ranges_[r].end; p += 2) stride_ == 1 ? sum_of_one_for<2>(p) : sum_for<2>(p);
+    if (p < ranges_[r].end) stride_ == 1 ? sum_of_one_for<1>(p) : sum_for<1>(p);
     x_.clear();
     y_.clear();
     z_.clear();
@@ -334,6 +419,31 @@ private:
     }
   }
 
+  /// The same for one function.
+  template <std::size_t points>
+  void sum_of_one_for(std::size_t first) {
+    const Vector<double>& n = scene_.normal(panel_);
+    const Vector<Pack> minus_n{-n.x, -n.y, -n.z};
+    std::array<Vector<Pack>, points> at;
+    std::array<Pack, points> sums;
+    for (std::size_t q = 0; q < points; ++q) {
+      const Vector<double>& p = points_[first + q];
+      at[q] = {p.x, p.y, p.z};
+      sums[q] = Pack(0.0);
+    }
+    for (std::size_t i = 0; i < x_.size(); i += Pack::lanes) {
+      const Vector<Pack> from{Pack::load(&x_[i]), Pack::load(&y_[i]), Pack::load(&z_[i])};
+      const Pack weight = Pack::load(&weights_[i]);
+      for (std::size_t q = 0; q < points; ++q) {
+        const Vector<Pack> difference{at[q].x - from.x, at[q].y - from.y, at[q].z - from.z};
+        const Pack inverse = reciprocal(fused_dot(difference, difference));
+        sums[q] = fma(fused_dot(difference, minus_n) * (inverse * inverse), weight, sums[q]);
+      }
+    }
+    for (std::size_t q = 0; q < points; ++q)
+      values_[first + q] = std::fma(heights_[first + q], sums[q].sum(), values_[first + q]);
+  }
+
   const Transport& transport_;
   const SectorScene& scene_;
   std::size_t panel_;
@@ -352,6 +462,7 @@ private:
   std::vector<double> x_, y_, z_;
   std::vector<double> weights_;  ///< by node, function
   std::vector<double> legendre_s_, legendre_t_, contracted_;
+  std::vector<Pack> packs_of_s_, packs_of_t_;
   std::vector<double> kernel_;
 };
 

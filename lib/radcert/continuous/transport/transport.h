@@ -72,8 +72,8 @@ private:
   std::span<const SectorElement> elements_;
   std::size_t powers_;  ///< degree + 1
   std::size_t count_;
-  std::size_t stride_;                      ///< count, filled up to whole packs
-  std::vector<double> coefficients_;        ///< by element, i, j, function
+  std::size_t stride_;                      ///< count, filled up to whole packs; 1 of one function
+  std::vector<double> coefficients_;        ///< by element, i, j, function; of one by element, j, i
   std::vector<PolynomialSizes> sizes_;      ///< of each element
   std::vector<double> element_size_;        ///< sup |f|
   std::vector<std::size_t> first_element_;  ///< of each panel, and the number of all
