@@ -158,7 +158,9 @@ TEST_P(EdgeContinuationOf, IsOnePolynomialAlongTheEdgeBetweenItsSides) {
     const Sector& sector = on.scene.sectors()[beyond.sector()];
     const double width = beyond.to() - beyond.from();
     const double s = beyond.from() + width * (0.02 + 0.96 * draw());
-    const double t = beyond.top() * std::ldexp(0.9 * draw() + 0.01, -static_cast<int>(draw.below(8)));
+    // Above the column too.
+    const double t =
+        std::min(0.99, beyond.top() * std::ldexp(2 * draw() + 0.01, -static_cast<int>(draw.below(8))));
     const Vector<double> p = sector.point(s, t);
     const double reach = 0.98 * least_distance(p, found.sides);
     // In the parameter along the edge, on the line t = const.

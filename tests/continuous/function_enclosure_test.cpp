@@ -13,6 +13,7 @@
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/transport/transport.h"
 #include "radcert/continuous/trial.h"
+#include "radcert/continuous/vertex_disks.h"
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/plane_polynomial_algebra.h"
 #include "tests/continuous/memory.h"
@@ -200,10 +201,12 @@ TEST(FunctionEnclosure, AddsTheResidualAndWhatIsReflectedOfIt) {
     }
   EXPECT_GT(tried, elements.size() / 2);
   EXPECT_GE(found.by_distance.back().sup, most + reflected);
+  const VertexDisks disks(scene);
   for (const FunctionEnclosure::AtDistance& at : found.by_distance) {
     double outside = 0;
     for (std::size_t k = 0; k < proof.elements.size(); ++k)
-      if (proof.farthest[k] >= at.outside && proof.elements[k].box.t0 > 0)
+      if (disks.distance_at_least(scene.sectors()[proof.elements[k].sector], proof.elements[k].box) >=
+          at.outside)
         outside = std::max(outside, in_units(proof.residuals[k]));
     EXPECT_GE(at.sup, outside + reflected) << at.outside;
   }

@@ -409,9 +409,14 @@ TEST(InterpolationError, IsThatOfBothVariables) {
         EXPECT_LE(missed, bound * (1 + 1e-12)) << nodes_s << " " << nodes_t << " " << of_t;
         EXPECT_GE(missed, bound / (4 * nodes_s * nodes_t)) << nodes_s << " " << nodes_t << " " << of_t;
       }
-  // Never more than the sum of both, each with the other's constant.
-  EXPECT_LE(interpolation_error(1, 8, 0, 2), (1 + lebesgue_constant(8)) * (1 + 1e-9));
-  EXPECT_LE(interpolation_error(0, 2, 1, 8), (1 + lebesgue_constant(8)) * (1 + 1e-9));
+  // One variable alone, and both.
+  const double of_8 = lebesgue_constant(8);
+  const double of_2 = lebesgue_constant(2);
+  for (const double bound : {interpolation_error(1, 8, 0, 2), interpolation_error(0, 2, 1, 8)})
+    EXPECT_NEAR(bound, 1 + of_8, 1e-9);
+  EXPECT_NEAR(interpolation_error(1, 8, 1e-3, 2), 1 + of_8 + of_8 * (1 + of_2) * 1e-3, 0.2 * of_8);
+  EXPECT_GE(interpolation_error(3, 8, 5, 2),
+            std::min(3 * (1 + of_8) + 5 * of_8 * (1 + of_2), 5 * (1 + of_2) + 3 * of_2 * (1 + of_8)));
 }
 
 class Allowed final : public LargestDemand {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -316,6 +317,33 @@ TEST_P(SmoothnessOf, BoundsPolynomialsAndRulesBesideBordersThatAreContinuedAcros
   EXPECT_GT(polynomials.tried, 300);
   EXPECT_GT(polynomials.quotient, 2e-3);
   EXPECT_GT(rules.quotient, 1e-4);
+}
+
+TEST_P(SmoothnessOf, CountsWhatLiesAcrossBordersThatAreContinuedAcross) {
+  // Something on one element and 0 on all others beyond: what is continued across its border is all that
+  // varies.
+  SectorScene scene(panels_of(GetParam()));
+  const std::vector<SectorElement> elements = graded_elements(scene, 3);
+  Closest polynomials;
+  Closest rules;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    const SectorBox& whole = elements[e].box;
+    const std::optional<std::size_t> opposite = scene.opposite(elements[e].sector);
+    if (!opposite || whole.t0 != 0 || whole.s0 != 0.125) continue;
+    SectorFunctions w(elements.size(), 1, 2);
+    w.of(e, 0)[0] = 0.01;
+    for (std::size_t other = 0; other < elements.size(); ++other)
+      if (elements[other].sector == *opposite && elements[other].box.s0 == 1 - whole.s0)
+        w.of(other, 0)[0] = 0.01;
+    const Sent sent(SectorScene(panels_of(GetParam())), elements, w);
+    for (const double depth : {0x1p-7, 0x1p-8, 0x1p-10}) {
+      const SectorBox box{.s0 = whole.s0, .s1 = whole.s0 + 0x1p-7, .t0 = depth / 2, .t1 = depth};
+      sent.expect(e, box, 0.5, false, false, polynomials, rules);
+    }
+  }
+  EXPECT_GT(polynomials.tried, 50);
+  EXPECT_GT(polynomials.quotient, 0.03);
+  EXPECT_GT(rules.quotient, 0.005);
 }
 
 TEST_P(SmoothnessOf, BoundsPolynomialsAndRulesOfClosedCells) {

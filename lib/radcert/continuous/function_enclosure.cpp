@@ -141,8 +141,8 @@ void put_restriction(const SectorFunctions& f, std::size_t element, const Sector
   ElementInterpolation(f.degree() + 1).coefficients(values, 1, out.of(number, 0));
 }
 
-/// What cells may miss: less where the residual is small, and more near a vertex, from where little of it comes
-/// (the power 3/2 of the distance's part, see VertexDisks). Next to it they need not be looked into.
+/// What cells may miss: less where the residual is small, and more near a vertex, from where little of it
+/// comes (the power 3/2 of the distance's part, see VertexDisks). Next to it they need not be looked into.
 class DemandOutside final : public LargestDemand {
 public:
   struct Distances {

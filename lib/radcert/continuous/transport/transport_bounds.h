@@ -53,8 +53,8 @@ struct ObserverLines {
 /// Result    rounded up; infinite where it is 1 or more
 [[nodiscard]] double slide_bound(double part);
 
-/// Where Q slides by a part theta <= 1, Legendre's polynomials of the parameters of its element grow by this a
-/// degree at most.
+/// Where Q slides by a part theta <= 1, Legendre's polynomials of the parameters of its element grow by this
+/// a degree at most.
 /// Maths     both parameters stay in the lens between the circles through -1, 1 and +-i theta: the real
 ///           segment on either side of Q of 1/theta times the length that Q moves lies in the element. The
 ///           parameters are affine or quotients of affine functions of the way, which keep circles and angles
