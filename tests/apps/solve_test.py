@@ -81,7 +81,10 @@ class Solve(ProgramTest):
         self.assertIn("box_top", self.expect(0, *values, "--at", "1.5,1.5,1"))
         # On the line between two parts of the floor, and on an edge.
         self.assertIn("room_bottom", self.expect(0, *values, "--at", "0.5,1,0"))
-        for more, says in [(("--at", "1,1,0"), "does not lie inside a face of the surface"),
+        # Beside that line, and beside an edge.
+        self.assertIn("room_bottom", self.expect(0, *values, "--at", "0.5,1.0000001,0"))
+        for more, says in [(("--at", "0.5,0.0001,0"), "is too near to an edge of its face"),
+                           (("--at", "1,1,0"), "does not lie inside a face of the surface"),
                            ((), "are not given, and parts of the surface hide each other"),
                            (("--at", "1.5,1.5,1", "--certificate", "c.json"), "where certificates are of means")]:
             done = self.run_program(*values, *more)

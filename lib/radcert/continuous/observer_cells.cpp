@@ -148,7 +148,6 @@ private:
     const double more = beside ? beside->bound : 0;
     const auto s = static_cast<std::size_t>(nodes_s - 1);
     const auto t = static_cast<std::size_t>(nodes_t - 1);
-
     ObserverCell cell{
         .element = number_,
         .box = box,

@@ -100,7 +100,7 @@ double largest_difference(const OtherCoefficients& f, const OtherCoefficients& g
   double sum = 0;
   for (std::size_t i = 0; i < f.values.size(); ++i)
     sum += std::abs(f.values[i] - g.values[i]) + f.off[i] + g.off[i];
-  return sum * upward;
+  return std::isfinite(sum) ? sum * upward : std::numeric_limits<double>::infinity();
 }
 
 SlidSizes slid_sizes(const OtherCoefficients& f, std::size_t powers) {

@@ -234,7 +234,8 @@ double Smoothness::reach_of_slide(const Cell& cell, std::span<const ElementSide>
 /// Maths     r = d/(4 (1+q)), d the clearance of the points where the lines meet the edge, H the height of
 ///           the opposite sector, q the quotient of its longer leg and H. The parameters of Q are then off
 ///           those of x by at most 1/2 in x, since d is at most half the width of the element, and by 1 in y,
-///           which is -1 at x, since d is at most the element's depth: |P_i(x)| <= (3/2 + (5/4)^(1/2))^i,
+///           which is -1 at x, since d is at most the element's depth, over which the perpendicular to the
+///           edge meets one of its sides: |P_i(x)| <= (3/2 + (5/4)^(1/2))^i,
 ///           |P_j(y)| <= (2 + 3^(1/2))^j
 double Smoothness::reach_of_turn(const Cell& cell) const {
   const std::size_t sector = elements_[cell.element].sector;

@@ -319,15 +319,18 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
   return {.polyhedron = std::move(out), .distance = distance};
 }
 
-/// Whether a point is nearer to the line of an edge than a thousandth of the edge's length.
-/// Maths     |side x (p - corner)| < |side|^2 / 1000
-bool is_near_an_edge(const Panel& panel, const Vector<Rational>& p) {
-  const std::vector<Vector<Rational>>& corners = panel.corners;
+/// Whether a point of a panel is nearer to the line of one of its sides than a thousandth of the side's length,
+/// and no panel lies across.
+/// Maths     |side x (p - corner)| < |side|^2 / 1000; the point's mirror image in the line is on no panel
+bool is_near_an_edge(const std::vector<Panel>& panels, std::size_t own, const Vector<Rational>& p) {
+  const std::vector<Vector<Rational>>& corners = panels[own].corners;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vector<Rational> side = corners[(i + 1) % corners.size()] - corners[i];
     const Vector<Rational> turned = cross(side, p - corners[i]);
     const Rational length = dot(side, side);
-    if (dot(turned, turned) * Rational(1000000) < length * length) return true;
+    if (!(dot(turned, turned) * Rational(1000000) < length * length)) continue;
+    const Vector<Rational> foot = corners[i] + (dot(side, p - corners[i]) / length) * side;
+    if (panel_about(panels, Rational(2) * foot - p) == panels.size()) return true;
   }
   return false;
 }
@@ -353,7 +356,7 @@ std::vector<SolutionPoint> solution_points(const Guarantee& guarantee, const std
           k, point, "does not lie inside a face of the surface",
           "a point of a face that is on none of its edges, nor on a line between parts that lie in one "
           "plane, exactly");
-    if (is_near_an_edge(panels[panel], point))
+    if (is_near_an_edge(panels, panel, point))
       refuse_point(k, point, "is too near to an edge of its face",
                    "points further from each edge than a thousandth of its length");
     out.push_back({panel, point});
@@ -374,6 +377,9 @@ std::vector<SolutionPoint> points_on_parts(const Guarantee& guarantee, const std
     if (part == parts.size())
       refuse_point(k, point, "does not lie inside a face of the surface",
                    "a point of a face that is on none of its edges, exactly");
+    if (is_near_an_edge(parts, part, point))
+      refuse_point(k, point, "is too near to an edge of its face",
+                   "points further from each edge than a thousandth of its length");
     out.push_back({part, point});
   }
   return out;
