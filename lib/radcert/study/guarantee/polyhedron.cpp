@@ -319,8 +319,8 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
   return {.polyhedron = std::move(out), .distance = distance};
 }
 
-/// Whether a point of a panel is nearer to the line of one of its sides than a thousandth of the side's length,
-/// and no panel lies across.
+/// Whether a point of a panel is nearer to the line of one of its sides than a thousandth of the side's
+/// length, and no panel lies across.
 /// Maths     |side x (p - corner)| < |side|^2 / 1000; the point's mirror image in the line is on no panel
 bool is_near_an_edge(const std::vector<Panel>& panels, std::size_t own, const Vector<Rational>& p) {
   const std::vector<Vector<Rational>>& corners = panels[own].corners;
