@@ -52,16 +52,7 @@ struct Case {
     /// The polynomial of an element, anywhere.
     template <class R>
     [[nodiscard]] R value(std::size_t e, const R& s, const R& t) const {
-      const SectorBox& box = elements[e].box;
-      const auto powers = static_cast<std::size_t>(w.degree() + 1);
-      std::vector<R> p_s(powers);
-      std::vector<R> p_t(powers);
-      legendre_values<R>((2.0 * s - box.s0 - box.s1) / (box.s1 - box.s0), p_s);
-      legendre_values<R>((2.0 * t - box.t0 - box.t1) / (box.t1 - box.t0), p_t);
-      R sum = 0;
-      for (std::size_t i = 0; i < powers; ++i)
-        for (std::size_t j = 0; j < powers; ++j) sum += w.of(e, 0)[i * powers + j] * p_s[i] * p_t[j];
-      return sum;
+      return test::element_value(w, e, 0, elements[e].box, s, t);
     }
 
     [[nodiscard]] std::size_t element_at(std::size_t sector, double s, double t) const {

@@ -56,4 +56,19 @@ inline SectorFunctions drawn_functions(std::size_t elements, std::size_t count, 
   return f;
 }
 
+/// The polynomial that a function is on an element, anywhere.
+template <class R>
+R element_value(const SectorFunctions& f, std::size_t element, std::size_t k, const SectorBox& box,
+                const R& s, const R& t) {
+  const auto powers = static_cast<std::size_t>(f.degree() + 1);
+  std::vector<R> p_s(powers);
+  std::vector<R> p_t(powers);
+  legendre_values<R>((2.0 * s - box.s0 - box.s1) / (box.s1 - box.s0), p_s);
+  legendre_values<R>((2.0 * t - box.t0 - box.t1) / (box.t1 - box.t0), p_t);
+  R sum = 0;
+  for (std::size_t i = 0; i < powers; ++i)
+    for (std::size_t j = 0; j < powers; ++j) sum += f.of(element, k)[i * powers + j] * p_s[i] * p_t[j];
+  return sum;
+}
+
 }  // namespace radcert::test

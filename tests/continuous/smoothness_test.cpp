@@ -90,16 +90,7 @@ public:
 
   /// w_k on an element.
   [[nodiscard]] double density(std::size_t e, std::size_t k, double s, double t) const {
-    const SectorBox& box = elements_[e].box;
-    const auto powers = static_cast<std::size_t>(w_.degree() + 1);
-    std::vector<double> p_s(powers);
-    std::vector<double> p_t(powers);
-    legendre_values<double>((2 * s - box.s0 - box.s1) / (box.s1 - box.s0), p_s);
-    legendre_values<double>((2 * t - box.t0 - box.t1) / (box.t1 - box.t0), p_t);
-    double sum = 0;
-    for (std::size_t i = 0; i < powers; ++i)
-      for (std::size_t j = 0; j < powers; ++j) sum += w_.of(e, k)[i * powers + j] * p_s[i] * p_t[j];
-    return sum;
+    return test::element_value(w_, e, k, elements_[e].box, s, t);
   }
 
   /// T w, or F of EdgeClosure, at places of an element, by place, function.

@@ -149,14 +149,17 @@ public:
     double outside = 0;   ///< from there on nothing more is allowed than of elements
     double of_strip = 0;  ///< up to there nothing is looked into
   };
-  DemandOutside(const VertexDisks& disks, std::vector<double> of_elements, double outside,
+  DemandOutside(const VertexDisks& disks, std::vector<double> of_elements, double far_from_vertices,
                 const Distances& distances)
-      : disks_(disks), of_elements_(std::move(of_elements)), outside_(outside), distances_(distances) {}
+      : disks_(disks),
+        of_elements_(std::move(of_elements)),
+        far_from_vertices_(far_from_vertices),
+        distances_(distances) {}
   [[nodiscard]] double allowed(std::size_t element, const Sector& sector,
                                const SectorBox& box) const override {
     const double farthest = disks_.distance_at_most(sector, box);
     if (!(farthest < distances_.outside)) return of_elements_[element];
-    return std::max(of_elements_[element], 0.25 * outside_ * distances_.outside / farthest);
+    return std::max(of_elements_[element], 0.25 * far_from_vertices_ * distances_.outside / farthest);
   }
   [[nodiscard]] bool may_be_strip(const Sector& sector, const SectorBox& box) const override {
     return disks_.distance_at_most(sector, box) <= distances_.of_strip;
@@ -165,7 +168,7 @@ public:
 private:
   const VertexDisks& disks_;
   std::vector<double> of_elements_;
-  double outside_;
+  double far_from_vertices_;
   Distances distances_;
 };
 
@@ -238,10 +241,9 @@ private:
     const double hoped = ErrorByDistance(trial, disks_, std::move(parts), data_.gap).sup(outside_);
     if (hoped > radius_ && !last) return false;
 
-    // What rules may miss: a part of what is left of the radius, or of what is there anyhow.
-    double reflects = 0;
-    for (std::size_t e = 0; e < trial.elements.size(); ++e) reflects = std::max(reflects, trial.rho(e));
-    const double left = std::max(0.36 * (radius_ - hoped) * data_.gap / reflects, 0.3 * of_outside);
+    // What rules may miss: a part of what is left of the radius, or of what is there anyhow. Cells miss up to
+    // one and a half times that, and those near vertices add half of it: 2.25 rho/gap times `left` in all.
+    const double left = std::max(0.36 * (radius_ - hoped) * data_.gap / (1 - data_.gap), 0.3 * of_outside);
     for (std::size_t e = 0; e < expected.size(); ++e)
       expected[e] = trial.rho(e) > 0 ? std::max(left, 0.3 * expected[e]) : infinity;
     const DemandOutside demand(disks_, std::move(expected), left,

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "radcert/continuous/elements/gauss_tables.h"
-
 #include "radcert/scalar/rational.h"
 
 namespace radcert {
