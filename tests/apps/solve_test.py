@@ -90,9 +90,12 @@ class Solve(ProgramTest):
             done = self.run_program(*values, *more)
             self.assertEqual(done.returncode, 2)
             self.assertIn(says, done.stderr.decode())
-        done = self.run_program("solve", "room.json", "--guarantee", "0.1", "--of", "function")
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("where means and values are enclosed", done.stderr.decode())
+        said = self.expect(0, "solve", "room.json", "--guarantee", "0.1", "--of", "function", "--json", "function.json")
+        self.assertIn("the solution u of the equation itself is v within these bounds", said)
+        with open(self.path("function.json"), encoding="utf-8") as file:
+            function = json.load(file)["enclosure"]["function"]
+        self.assertTrue(function["faces_are_cut"])
+        self.assertIn("box_top", function["pieces"])
         # A rounding above the floor is no contact: that is said beside every result.
         self.write("room.obj", "\n".join(line + ".000000000001" if line.startswith("v") and line[-2:] == " 0" and
                                          base >= 8 else line

@@ -122,7 +122,7 @@ py::object function_of(const Enclosed& enclosed) {
     pieces.append(py::dict(py::arg("piece") = piece.piece, py::arg("outside") = piece.outside,
                            py::arg("everywhere") = piece.everywhere));
   return py::dict(py::arg("sup") = function->sup, py::arg("outside") = function->outside,
-                  py::arg("pieces") = pieces);
+                  py::arg("faces_are_cut") = function->faces_are_cut, py::arg("pieces") = pieces);
 }
 
 /// A certificate read and checked again.

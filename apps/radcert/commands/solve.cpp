@@ -513,8 +513,8 @@ void add_solve(Program& program) {
                  "Write what proves the enclosure as a file that radcert check verifies", "FILE.json");
   command.option("--of", options->of, "What the guarantee is of: " + listed(guaranteed_quantities()), "WORD");
   command.option("--outside", options->outside,
-                 "Of a function on a polyhedron: how far from the vertices the width is wanted. Default: a "
-                 "hundredth of the shortest edge",
+                 "Of a function on a polyhedron: how far from the corners of faces the width is wanted. "
+                 "Default: a hundredth of the shortest edge",
                  "DISTANCE");
   command.option(
       "--emission-by", options->emission_by,

@@ -70,7 +70,10 @@ std::string enclosure_table(const SolutionEnclosure& enclosure) {
       if (enclosure.function && enclosure.function->by_distance.empty())
         rows.push_back({"sup |u - v|"});
       else
-        rows.push_back({"sup |u - v|", "at a distance from the corners of faces of"});
+        rows.push_back({"sup |u - v|", std::string("at a distance from the corners of faces") +
+                                           (enclosure.function && enclosure.function->faces_are_cut
+                                                ? ", cut along the planes of all, of"
+                                                : " of")});
       what = "the solution u of the equation itself is v within these bounds, a piecewise polynomial.";
       break;
   }

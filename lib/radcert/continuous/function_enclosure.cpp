@@ -191,8 +191,14 @@ public:
     for (int layers = first_layers; layers <= most_layers.value(); ++layers) {
       if (!try_layers(layers, context)) continue;
       if (context.progress) context.progress(best_.last);
-      if (std::ldexp(radius_, data_.exponent) >= best_.sup || !best_.hindrance.empty())
+      if (std::ldexp(radius_, data_.exponent) >= best_.sup) return std::move(best_);
+      if (is_cut_short_) {
+        best_.hindrance =
+            "cells that were cut as often as is allowed: the two sides of an edge have not the same ends, or "
+            "too "
+            "much is seen in part";
         return std::move(best_);
+      }
     }
     best_.hindrance = "the residual of polynomials of degree " + std::to_string(best_.last.degree) + " on " +
                       std::to_string(best_.last.layers) + " layers of elements";
@@ -248,7 +254,11 @@ private:
       expected[e] = trial.rho(e) > 0 ? std::max(left, 0.3 * expected[e]) : infinity;
     const DemandOutside demand(disks_, std::move(expected), left,
                                {.outside = outside_, .of_strip = 0x1p-10 * std::sqrt(smallest)});
-    const std::vector<ObserverCell> cells = observer_cells(trial, demand);
+    work.begin_plan();
+    const std::vector<ObserverCell> cells = observer_cells(trial, demand, [&] { work.add_planned(); });
+    is_cut_short_ = std::any_of(cells.begin(), cells.end(), [&](const ObserverCell& cell) {
+      return cell.is_strip() && !demand.may_be_strip(trial.sector(cell.element), cell.box);
+    });
     work.begin(cells.size());
     const std::vector<double> largest = largest_residuals(trial, cells, demand, &work);
     std::vector<ResidualOnBox> proved;
@@ -380,6 +390,7 @@ private:
   double radius_;
   double outside_;
   bool with_proof_;
+  bool is_cut_short_ = false;  ///< whether cells of the last mesh were cut as often as is allowed
   FunctionEnclosure best_;
 };
 

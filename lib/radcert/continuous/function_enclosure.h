@@ -60,11 +60,13 @@ struct FunctionEnclosure {
 /// Maths     v = w_0 = E + rho q for any q, t = T v - q, so that u - v - K(u - v) = rho t, up to the rounding
 ///           of E, rho and v. |rho t| is bounded on cells (residual_sums); near vertices, where u tends to a
 ///           function of the direction, no polynomial makes it small. Its largest values by the distance from
-///           the vertices give a bound of u - v by the distance (supersolution)
+///           the vertices give a bound of u - v by the distance (supersolution). Where parts hide each other
+///           cells are cut until little of what they see is seen in part (Penumbra)
 /// Requires  as enclose_means, one emission; 0 <= outside
 /// Result    proved; the mesh as there, until |u - v| <= wanted/2 where the distance from all vertices is at
 ///           least `outside`; 0 there where that holds everywhere. The same bits for any number of threads
-/// Limits    edges whose two sides have not the same ends are as bad as vertices, and are not spared
+/// Limits    edges whose two sides have not the same ends are as bad as vertices, and are not spared. What is
+///           seen in part falls with the size of the cells, as for means
 [[nodiscard]] FunctionEnclosure enclose_function(const PolyhedronProblem& problem, double wanted,
                                                  double outside, const SearchContext& context = {},
                                                  bool with_proof = false);

@@ -230,10 +230,10 @@ private:
       const double length = (box.s1 - box.s0) * norm(sector_.b - sector_.a);
       const double depth = box.t1 * norm(sector_.c - sector_.point(box.middle_s(), 0));
       const bool may_close_when_short =
-          length > nearby.distance && length > 4 * depth &&
+          closes && length > nearby.distance && length > 4 * depth &&
           (!judge_.takes_jumps() ||
            judge_.is_little(closure_.nearby_across_borders(number_, middle_of(box)), box));
-      if (closes && (may_close_when_short || (is_too_long && length > depth))) {
+      if (may_close_when_short || (is_too_long && length > depth)) {
         lower.s1 = upper.s0 = box.middle_s();
         add(lower, depth_of_cuts + 1, may_be_shaded);
         add(upper, depth_of_cuts + 1, std::move(may_be_shaded));

@@ -427,18 +427,9 @@ ResidualSums sums_over(const ResidualOverCells& residual, const Trial& trial,
   return sums;
 }
 
-}  // namespace
-
-ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells, const CellDemand& demand,
-                           bool by_element, MeshWork* work, std::size_t residuals) {
-  expects(residuals >= 1 && residuals <= (by_element ? 1 : trial.w.count()),
-          "residuals that products are taken with", named("residuals", residuals));
-  return sums_over(ResidualOverCells(trial, residuals), trial, cells, demand, by_element, work, residuals);
-}
-
-std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
-                                      const LargestDemand& demand, MeshWork* work) {
-  const ResidualOverCells residual(trial);
+std::vector<double> largest_over(const ResidualOverCells& residual, const Trial& trial,
+                                 std::span<const ObserverCell> cells, const LargestDemand& demand,
+                                 MeshWork* work) {
   std::vector<double> largest;
   const std::string name = work == nullptr ? "" : name_of_cells("cells for maxima", trial, cells);
   for (std::size_t first = 0; first < cells.size(); first += cells_of_a_part) {
@@ -459,6 +450,20 @@ std::vector<double> largest_residuals(const Trial& trial, std::span<const Observ
     largest.insert(largest.end(), found.begin(), found.end());
   }
   return largest;
+}
+
+}  // namespace
+
+ResidualSums residual_sums(const Trial& trial, std::span<const ObserverCell> cells, const CellDemand& demand,
+                           bool by_element, MeshWork* work, std::size_t residuals) {
+  expects(residuals >= 1 && residuals <= (by_element ? 1 : trial.w.count()),
+          "residuals that products are taken with", named("residuals", residuals));
+  return sums_over(ResidualOverCells(trial, residuals), trial, cells, demand, by_element, work, residuals);
+}
+
+std::vector<double> largest_residuals(const Trial& trial, std::span<const ObserverCell> cells,
+                                      const LargestDemand& demand, MeshWork* work) {
+  return largest_over(ResidualOverCells(trial), trial, cells, demand, work);
 }
 
 namespace {
@@ -503,8 +508,8 @@ std::vector<double> expected_largest(const Trial& trial) {
     double allowed_;
   };
   const auto nodes = static_cast<double>((trial.q.degree() + 2) * (trial.q.degree() + 2));
-  return largest_residuals(trial, whole_elements(trial),
-                           Rough(10 * nodes * rough(trial) * trial.smoothness.size()));
+  return largest_over(ResidualOverCells(trial, 1, ShadedParts::ignored), trial, whole_elements(trial),
+                      Rough(10 * nodes * rough(trial) * trial.smoothness.size()), nullptr);
 }
 
 }  // namespace radcert

@@ -62,8 +62,10 @@ struct EnclosedValue {
 
 /// How near an approximation v is to a solution as a function, proved.
 struct FunctionBound {
-  double sup = 0;      ///< |u - v| at points that are `outside` or more from corners of faces
+  double sup = 0;      ///< |u - v| at points that are `outside` or more from all corners of faces
   double outside = 0;  ///< 0: everywhere
+  /// Where parts hide each other, faces are cut along the planes of all: corners are those of their parts.
+  bool faces_are_cut = false;
   struct AtDistance {
     double outside = 0;
     double sup = 0;

@@ -30,6 +30,29 @@ Vector<Rational> middle(const std::vector<Panel>& panels) {
   return Rational(1, 2) * (least + largest);
 }
 
+/// Whether a segment in the plane of a panel has a part of its length in it: what is left of it on the inner
+/// side of all of the panel's sides.
+bool lies_along(const Vector<Rational>& from, const Vector<Rational>& to, const Panel& panel) {
+  Rational begin = 0;
+  Rational end = 1;
+  for (std::size_t l = 0; l < panel.corners.size(); ++l) {
+    const Vector<Rational>& corner = panel.corners[l];
+    const Vector<Rational> inwards =
+        cross(panel.normal, panel.corners[(l + 1) % panel.corners.size()] - corner);
+    const Rational at_from = dot(inwards, from - corner);
+    const Rational at_to = dot(inwards, to - corner);
+    if (std::max(at_from.sign(), at_to.sign()) <= 0 && at_from.sign() != at_to.sign()) return false;
+    if (at_from.sign() < 0 && at_to.sign() < 0) return false;
+    if (at_from.sign() * at_to.sign() >= 0) continue;
+    const Rational crossing = at_from / (at_from - at_to);
+    if (at_from.sign() < 0)
+      begin = std::max(begin, crossing);
+    else
+      end = std::min(end, crossing);
+  }
+  return begin < end;
+}
+
 double largest_coordinate(const Vector<double>& p) {
   return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
 }
@@ -89,8 +112,9 @@ SectorScene::SectorScene(std::vector<Panel> panels, const std::vector<Panel>& bl
         const Panel& other = panels_[j];
         const bool parallel = dot(to - from, other.normal).sign() == 0;
         parallel_.push_back(parallel ? 1 : 0);
-        touching_.push_back(
-            parallel && !coplanar(j, k) && dot(from - other.corners[0], other.normal).sign() == 0 ? 1 : 0);
+        const bool is_in_plane =
+            parallel && !coplanar(j, k) && dot(from - other.corners[0], other.normal).sign() == 0;
+        touching_.push_back(is_in_plane && lies_along(from, to, other) ? 1 : 0);
         if (touching_.back() == 0 || dot(panels_[k].normal, other.centre - from).sign() <= 0) continue;
         for (std::size_t l = 0; l < other.corners.size(); ++l) {
           const auto [other_from, other_to] = side(j, l);

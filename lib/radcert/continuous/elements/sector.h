@@ -64,9 +64,9 @@ struct SectorBox {
 ///           convex polygons that are all of the surface as blockers
 /// Result    geometry in double; what is decided is decided on the exact panels. parallel(i, j): the side of
 ///           sector i is parallel to the plane of panel j; touching(i, j): it lies in that plane, which is
-///           not its own; before(i, j): a point of panel i has its foot in the plane of j before itself,
-///           n_i.n_j < 0; opposite(i): the sector on the other side of the same edge, with the same ends,
-///           where each lies before the other's plane, or none
+///           not its own, and has a part of its length in the panel; before(i, j): a point of panel i has its
+///           foot in the plane of j before itself, n_i.n_j < 0; opposite(i): the sector on the other side of
+///           the same edge, with the same ends, where each lies before the other's plane, or none
 class SectorScene {
 public:
   explicit SectorScene(std::vector<Panel> panels, const std::vector<Panel>& blockers = {});

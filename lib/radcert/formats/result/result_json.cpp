@@ -128,6 +128,7 @@ JsonValue function_json(const FunctionBound& bound) {
                                             {"everywhere", upper_text(on.everywhere)}}));
   return JsonValue::object({{"sup", upper_text(bound.sup)},
                             {"outside", distance_json(bound.outside)},
+                            {"faces_are_cut", bound.faces_are_cut},
                             {"by_distance", std::move(by_distance)},
                             {"pieces", std::move(pieces)}});
 }

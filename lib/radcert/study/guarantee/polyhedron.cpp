@@ -39,9 +39,7 @@ constexpr const char* what_is_enclosed =
 
 /// Where parts hide each other: those of the surface, cut along their planes, and themselves as blockers.
 void put_occluded_panels(PolyhedronProblem& out, const Problem& problem, const Surface& surface,
-                         const Guarantee& guarantee, std::vector<Panel> panels) {
-  if (guarantee.of == EnclosedQuantity::function)
-    refuse_surface(problem, "parts of it hide each other, where means and values are enclosed");
+                         std::vector<Panel> panels) {
   if (!surface.closed) refuse_surface(problem, "parts of it hide each other, and it is not closed");
   Outcome<std::vector<Panel>> cut = cut_panels(panels, most_cut_panels);
   if (!cut) refuse_surface(problem, "parts of it hide each other, and " + cut.reason());
@@ -50,12 +48,11 @@ void put_occluded_panels(PolyhedronProblem& out, const Problem& problem, const S
 }
 
 /// The panels of the surface, then black ones that close it.
-void put_panels(PolyhedronProblem& problem_on_panels, const Problem& problem, const Surface& surface,
-                const Guarantee& guarantee) {
+void put_panels(PolyhedronProblem& problem_on_panels, const Problem& problem, const Surface& surface) {
   Outcome<std::vector<Panel>> panels = convex_panels(surface);
   if (!panels) refuse_surface(problem, panels.reason());
   if (!surface.unoccluded) {
-    put_occluded_panels(problem_on_panels, problem, surface, guarantee, std::move(panels).value());
+    put_occluded_panels(problem_on_panels, problem, surface, std::move(panels).value());
     return;
   }
   // That of a mesh has been decided when it was read.
@@ -279,7 +276,7 @@ struct NearProblem {
 /// Maths     u - u_p = (I - K)^-1 (E - E_p), and the norm of (I - K)^-1 in C(S) is at most 1/(1 - sup rho)
 NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, const Guarantee& guarantee) {
   PolyhedronProblem out;
-  put_panels(out, problem, surface, guarantee);
+  put_panels(out, problem, surface);
   out.reflectivity = reflectivities(problem, surface, out.panels);
   const std::vector<std::string> names = surface.piece_names();
   PanelEmissions own = emissions_on(out.panels, *problem.emission, names, "/emission");
@@ -580,7 +577,9 @@ private:
     if (!std::isfinite(found.sup)) throw AccuracyNotReached("the solution u", found.hindrance);
     SolutionEnclosure enclosure{
         .wanted = guarantee_, .width = 2 * widened(found.sup), .hindrance = found.hindrance};
-    FunctionBound bound{.sup = widened(found.sup), .outside = found.outside};
+    FunctionBound bound{.sup = widened(found.sup),
+                        .outside = found.outside,
+                        .faces_are_cut = !near_.polyhedron.blockers.empty()};
     for (const FunctionEnclosure::AtDistance& at : found.by_distance)
       bound.by_distance.push_back({at.outside, widened(at.sup)});
     for (std::size_t k = 0; k < names.size(); ++k)
