@@ -257,7 +257,8 @@ private:
     work.begin_plan();
     const std::vector<ObserverCell> cells = observer_cells(trial, demand, [&] { work.add_planned(); });
     is_cut_short_ = std::any_of(cells.begin(), cells.end(), [&](const ObserverCell& cell) {
-      return cell.is_strip() && !demand.may_be_strip(trial.sector(cell.element), cell.box);
+      return cell.is_strip() && trial.rho(cell.element) > 0 &&
+             !demand.may_be_strip(trial.sector(cell.element), cell.box);
     });
     work.begin(cells.size());
     const std::vector<double> largest = largest_residuals(trial, cells, demand, &work);

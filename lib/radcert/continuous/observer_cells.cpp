@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -93,7 +94,7 @@ public:
   LargestJudge(const Trial& trial, std::size_t number, const LargestDemand& demand)
       : CellJudge(trial, number), demand_(demand), number_(number) {}
   [[nodiscard]] bool may_be_strip(const SectorBox& box) const override {
-    return demand_.may_be_strip(sector_, box);
+    return !(allowed(box) < std::numeric_limits<double>::infinity()) || demand_.may_be_strip(sector_, box);
   }
   [[nodiscard]] bool are_enough(const RuleErrors& errors, int n, const SectorBox& box) const override {
     return interpolation_error(errors.interpolation[static_cast<std::size_t>(n - 1)], n, 0, n) <=

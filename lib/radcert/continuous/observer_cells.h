@@ -49,7 +49,7 @@ public:
   LargestDemand& operator=(LargestDemand&&) = delete;
   virtual ~LargestDemand() = default;
 
-  /// On a part of an element, which is on this sector.
+  /// On a part of an element, which is on this sector; infinite where nothing is to be looked into.
   [[nodiscard]] virtual double allowed(std::size_t element, const Sector& sector,
                                        const SectorBox& box) const = 0;
   [[nodiscard]] virtual bool may_be_strip(const Sector& sector, const SectorBox& box) const = 0;

@@ -468,12 +468,13 @@ std::vector<double> largest_residuals(const Trial& trial, std::span<const Observ
 
 namespace {
 
-/// Whole elements, each with one rule.
+/// Whole elements that reflect, each with one rule.
 std::vector<ObserverCell> whole_elements(const Trial& trial) {
   const int nodes = trial.q.degree() + 2;
   std::vector<ObserverCell> cells;
   for (std::size_t e = 0; e < trial.elements.size(); ++e)
-    cells.push_back({.element = e, .box = trial.elements[e].box, .nodes_s = nodes, .nodes_t = nodes});
+    if (trial.rho(e) != 0)
+      cells.push_back({.element = e, .box = trial.elements[e].box, .nodes_s = nodes, .nodes_t = nodes});
   return cells;
 }
 
@@ -508,8 +509,13 @@ std::vector<double> expected_largest(const Trial& trial) {
     double allowed_;
   };
   const auto nodes = static_cast<double>((trial.q.degree() + 2) * (trial.q.degree() + 2));
-  return largest_over(ResidualOverCells(trial, 1, ShadedParts::ignored), trial, whole_elements(trial),
-                      Rough(10 * nodes * rough(trial) * trial.smoothness.size()), nullptr);
+  const std::vector<ObserverCell> cells = whole_elements(trial);
+  const std::vector<double> largest =
+      largest_over(ResidualOverCells(trial, 1, ShadedParts::ignored), trial, cells,
+                   Rough(10 * nodes * rough(trial) * trial.smoothness.size()), nullptr);
+  std::vector<double> by_element(trial.elements.size());
+  for (std::size_t c = 0; c < cells.size(); ++c) by_element[cells[c].element] = largest[c];
+  return by_element;
 }
 
 }  // namespace radcert

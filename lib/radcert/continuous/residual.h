@@ -58,7 +58,7 @@ struct ResidualSums {
 /// Result    no bound: what a mesh may be expected to reach
 [[nodiscard]] std::vector<double> expected_norms(const Trial& trial);
 /// About the largest values of |t_0|, by element, by the same rules.
-/// Result    no bound
+/// Result    no bound; 0 where nothing reflects
 [[nodiscard]] std::vector<double> expected_largest(const Trial& trial);
 
 }  // namespace radcert

@@ -21,13 +21,14 @@ const WorkLimit krylov_steps("continuous/trial_functions: Krylov vectors", 60, 2
 
 namespace {
 
-/// The operator f -> P T f on functions of sectors.
+/// The operator f -> P T f on functions of sectors; 0 where nothing of it is reflected.
 class ProjectedTransport {
 public:
-  ProjectedTransport(const SectorScene& scene, std::span<const SectorElement> elements, int degree,
-                     double tolerance)
+  ProjectedTransport(const SectorScene& scene, std::span<const SectorElement> elements,
+                     const ElementReflectivity& rho, int degree, double tolerance)
       : scene_(scene),
         elements_(elements),
+        rho_(rho),
         degree_(degree),
         tolerance_(tolerance),
         interpolation_(degree + 1) {
@@ -47,6 +48,7 @@ public:
     SectorFunctions out(elements_.size(), f.count(), degree_);
     parallel_for(elements_.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e) {
+        if (rho_.largest(e) == 0) continue;
         const std::vector<double> values = transport(nodes_[e], tolerance_).values;
         for (std::size_t k = 0; k < f.count(); ++k)
           interpolation_.coefficients(std::span(values).subspan(k), f.count(), out.of(e, k));
@@ -58,6 +60,7 @@ public:
 private:
   const SectorScene& scene_;
   std::span<const SectorElement> elements_;
+  const ElementReflectivity& rho_;
   int degree_;
   double tolerance_;
   ElementInterpolation interpolation_;
@@ -133,10 +136,9 @@ SectorFunctions trial_functions(const SectorScene& scene, std::span<const Sector
   const int degree = emissions.degree() - reflectivity.degree();
   const std::size_t count = emissions.count();
   const std::size_t size = elements.size();
-  const ProjectedTransport transport(scene, elements, degree, tolerance);
-  const InnerProduct product(scene, elements, degree);
-
   const ElementReflectivity rho(reflectivity, scene, elements);
+  const ProjectedTransport transport(scene, elements, rho, degree, tolerance);
+  const InnerProduct product(scene, elements, degree);
   const SectorFunctions zero(size, count, emissions.degree());
   const SectorFunctions right_side = transport(emissions);
   std::vector<SectorFunctions> basis{right_side};

@@ -29,7 +29,7 @@ namespace radcert {
 /// Functions q_k for which q_k = T(E_k + rho q_k) nearly holds, polynomials of the degree of E less that of
 /// rho.
 /// Maths     interpolation at the tensor Gauss nodes of each element: q = P T (E + rho q), by GMRES for each
-///           k, the products with T for all at once
+///           k, the products with T for all at once; q = 0 on elements on which rho is
 /// Source    K. Atkinson, "The Numerical Solution of Integral Equations of the Second Kind", 1997, chapter 3
 /// Requires  degrees from that of rho to below most_gauss_nodes, else ContractViolation
 /// Result    floating point, no guarantee: what a proof needs is enclosed afterwards from the functions as
