@@ -103,6 +103,19 @@ class Solve(ProgramTest):
         said = self.expect(0, "solve", "room.json")
         self.assertIn("Remark: room.obj: room_bottom and box_bottom face each other across a gap of", said)
 
+    def test_a_function_is_enclosed_where_a_side_of_an_edge_is_two_faces(self):
+        self.write("cube.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nv 0.5 0 0\n"
+                               "v 0.5 1 0\ng lamp\nf 1 9 10 4\ng floor\nf 9 2 3 10\ng ceiling\nf 5 8 7 6\n"
+                               "g west\nf 1 4 8 5\ng east\nf 2 6 7 3\ng south\nf 1 5 6 2 9\ng north\nf 4 10 3 7 8\n")
+        problem = {"schema": "radcert/problem/1", "surface": {"file": "cube.obj"}, "triangulation": {"levels": [0]},
+                   "basis": {"family": "inset", "degree": 0}, "reflectivity": {"south": "1/4", "*": "0"},
+                   "emission": {"lamp": "1", "*": "0"}}
+        words = ("solve", self.write("cube.json", problem), "--guarantee", "0.5", "--of", "function", "--outside", "0.1")
+        self.assertIn("the solution u of the equation itself is v within these bounds", self.expect(0, *words))
+        done = self.run_program(*words, "--certificate", "cube.certificate.json")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("the two sides of an edge have not the same ends", done.stderr.decode())
+
     def test_a_guarantee_on_an_open_surface_is_that_beside_black_faces(self):
         self.write("open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                                "g floor\nf 1 2 3 4\ng south\nf 1 5 6 2\ng east\nf 2 6 7 3\ng north\nf 3 7 8 4\n"

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -57,6 +58,13 @@ TEST(ConvexPanels, LeaveThePiecesOfAPlaneApart) {
   expect_convex(panels);
 }
 
+/// The root of the square of a whole number or fraction of axes' normals.
+Rational sqrt_of_square(const Rational& square) {
+  const Rational root = Rational::exactly(std::sqrt(square.to_double()));
+  EXPECT_EQ(root * root, square);
+  return root;
+}
+
 /// Six times the volume between panels and the origin.
 Rational volume(const std::vector<Panel>& panels) {
   Rational sum = 0;
@@ -103,6 +111,45 @@ TEST(ClosingPanels, RefuseFacesThatAreThereInPart) {
   const auto flat = closing_panels({panels.front()}, 0);
   ASSERT_FALSE(flat);
   EXPECT_THAT(flat.reason(), testing::HasSubstr("one plane"));
+}
+
+TEST(EdgesMatched, LeaveNoCornerInsideASide) {
+  // A cube whose floor is three strips.
+  std::vector<Panel> panels;
+  for (const Panel& panel : panels_of("cube")) {
+    if (panel.normal.z.sign() <= 0 || dot(panel.normal, panel.normal) != panel.normal.z * panel.normal.z) {
+      panels.push_back(panel);
+      continue;
+    }
+    for (long k = 0; k < 3; ++k) {
+      Panel strip = panel;
+      const auto into = [&](Vector<Rational>& p) { p.x = Rational(1, 3) * (Rational(k) + p.x); };
+      for (Vector<Rational>& corner : strip.corners) into(corner);
+      into(strip.centre);
+      panels.push_back(strip);
+    }
+  }
+  ASSERT_EQ(panels.size(), 8U);
+  const std::vector<Panel> matched = with_edges_matched(panels);
+  // Two walls have two points more each, and are cut twice.
+  EXPECT_EQ(matched.size(), 8U + 4U);
+  expect_convex(matched);
+  Rational area = 0;
+  for (const Panel& panel : matched) {
+    for (std::size_t i = 0; i < panel.corners.size(); ++i) {
+      const Vector<Rational>& a = panel.corners[i];
+      const Vector<Rational>& b = panel.corners[(i + 1) % panel.corners.size()];
+      area += dot(panel.normal, cross(a, b)) / sqrt_of_square(dot(panel.normal, panel.normal));
+      bool is_matched = false;
+      for (const Panel& other : matched)
+        for (std::size_t j = 0; j < other.corners.size(); ++j)
+          is_matched =
+              is_matched || (other.corners[j] == b && other.corners[(j + 1) % other.corners.size()] == a);
+      EXPECT_TRUE(is_matched);
+    }
+  }
+  EXPECT_EQ(area, Rational(12));
+  EXPECT_EQ(with_edges_matched(panels_of("octahedron")).size(), 8U);
 }
 
 }  // namespace

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "radcert/continuous/elements/graded_elements.h"
+#include "radcert/scalar/ball.h"
 #include "tests/continuous/scenes.h"
 
 namespace radcert {
@@ -82,6 +86,43 @@ TEST(GradedElements, CoverSectorsAndMatchAcrossEdges) {
       EXPECT_TRUE(found);
     }
   }
+}
+
+TEST(SectorScene, SaysNoMoreThanHowFarAPointIsBeyondASide) {
+  // A box whose floor has a corner cut off by a short side of a direction that no double has.
+  Draw draw(17);
+  double closest = 0;
+  for (const int exponent : {-2, -20, -36}) {
+    std::vector<Panel> panels = panels_of("box");
+    for (Panel& panel : panels) {
+      const Vector<Rational> a = panel.corners[0];
+      const auto towards = [&](std::size_t corner, const Rational& part) {
+        return a + part * Rational::exactly(std::ldexp(1.0, exponent)) * (panel.corners[corner] - a);
+      };
+      std::vector<Vector<Rational>> corners{towards(1, Rational(1, 3)), panel.corners[1], panel.corners[2],
+                                            panel.corners[3], towards(3, Rational(5, 7))};
+      panel.corners = std::move(corners);
+    }
+    const SectorScene scene(panels);
+    for (std::size_t i = 0; i < scene.sectors().size(); ++i) {
+      const Panel& panel = panels[scene.sectors()[i].panel];
+      const std::size_t side = i - scene.first_sector(scene.sectors()[i].panel);
+      const Vector<Rational>& from = panel.corners[side];
+      const Vector<Rational>& to = panel.corners[(side + 1) % panel.corners.size()];
+      const Vector<Rational> outward = cross(to - from, panel.normal);
+      for (int k = 0; k < 20; ++k) {
+        const auto far = [&] { return Rational::exactly(8 * draw() - 4); };
+        const Vector<Rational> point = from + Vector<Rational>{far(), far(), far()};
+        const double beyond =
+            (Ball(dot(outward, point - from)) / sqrt(Ball(dot(outward, outward)))).to_double();
+        const double found = scene.beyond_side(i, scene.place(point));
+        EXPECT_LE(found, beyond + 4 * displacement * scene.extent() + 1e-15) << exponent;
+        EXPECT_GE(found, beyond - std::ldexp(1e-12, -exponent)) << exponent;
+        if (side == 4) closest = std::max(closest, (found - beyond) / (4 * displacement * scene.extent()));
+      }
+    }
+  }
+  EXPECT_LE(closest, 1);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ namespace radcert {
 /// Requires  panels of a closed surface; every piece has a panel; 0 <= rho < 1, as reflectivity_of proves it
 ///           of polynomials; their degree is most_polynomial_degree at most. Either the panels lie in the
 ///           boundary of a convex body, as convex_panels gives them, and there are no blockers; or they are
-///           cut_panels of the blockers, which are convex_panels
+///           cut_panels of the blockers, which are convex_panels; with_edges_matched or not
 struct PolyhedronProblem {
   std::vector<Panel> panels;
   std::vector<PanelReflectivity> reflectivity;      ///< by panel

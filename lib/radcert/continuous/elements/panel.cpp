@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -145,6 +146,53 @@ Rational projected_area(const Panel& panel, const Projection& projected) {
   return doubled_area(loop);
 }
 
+bool lies_inside(const Vector<Rational>& point, const Vector<Rational>& from, const Vector<Rational>& to) {
+  return is_zero(cross(to - from, point - from)) && dot(to - from, point - from).sign() > 0 &&
+         dot(from - to, point - to).sign() > 0;
+}
+
+/// Both parts of a panel, cut from a point inside its side i to one of its corners.
+std::pair<Panel, Panel> halves(const Panel& panel, std::size_t i, const Vector<Rational>& point) {
+  const std::size_t n = panel.corners.size();
+  const auto part = [&](std::size_t first, std::size_t last) {
+    std::vector<Vector<Rational>> corners{point};
+    for (std::size_t k = first; k <= last; ++k) corners.push_back(panel.corners[k % n]);
+    return panel_of(panel.piece, std::move(corners), panel.normal);
+  };
+  const Projection projected(panel.normal);
+  std::pair<Panel, Panel> best;
+  Rational largest = 0;
+  for (std::size_t to = i + 2; to < i + n; ++to) {
+    std::pair<Panel, Panel> parts(part(i + 1, to), part(to, i + n));
+    const Rational smaller =
+        std::min(projected_area(parts.first, projected), projected_area(parts.second, projected));
+    if (smaller <= largest) continue;
+    largest = smaller;
+    best = std::move(parts);
+  }
+  return best;
+}
+
+/// The ends of sides that are no other panel's side the other way round.
+std::vector<Vector<Rational>> ends_without_match(const std::vector<Panel>& panels) {
+  using Side = std::array<Rational, 6>;
+  const auto side = [](const Vector<Rational>& a, const Vector<Rational>& b) {
+    return Side{a.x, a.y, a.z, b.x, b.y, b.z};
+  };
+  std::set<Side> sides;
+  const auto visit = [&](const auto& visitor) {
+    for (const Panel& panel : panels)
+      for (std::size_t i = 0; i < panel.corners.size(); ++i)
+        visitor(panel.corners[i], panel.corners[(i + 1) % panel.corners.size()]);
+  };
+  visit([&](const Vector<Rational>& a, const Vector<Rational>& b) { sides.insert(side(a, b)); });
+  std::vector<Vector<Rational>> ends;
+  visit([&](const Vector<Rational>& a, const Vector<Rational>& b) {
+    if (!sides.contains(side(b, a))) ends.insert(ends.end(), {a, b});
+  });
+  return ends;
+}
+
 }  // namespace
 
 Outcome<std::vector<Panel>> convex_panels(const Surface& surface) {
@@ -220,6 +268,28 @@ Outcome<std::vector<Panel>> cut_panels(const std::vector<Panel>& panels, std::si
   });
   if (out.size() > most) return because(too_many);
   return out;
+}
+
+std::vector<Panel> with_edges_matched(std::vector<Panel> panels) {
+  const std::vector<Vector<Rational>> points = ends_without_match(panels);
+  for (std::size_t k = 0; k < panels.size();) {
+    const Panel& panel = panels[k];
+    std::optional<std::pair<Panel, Panel>> parts;
+    for (std::size_t i = 0; i < panel.corners.size() && !parts; ++i) {
+      const Vector<Rational>& to = panel.corners[(i + 1) % panel.corners.size()];
+      const auto inside = std::find_if(points.begin(), points.end(), [&](const Vector<Rational>& point) {
+        return lies_inside(point, panel.corners[i], to);
+      });
+      if (inside != points.end()) parts = halves(panel, i, *inside);
+    }
+    if (!parts) {
+      ++k;
+      continue;
+    }
+    panels[k] = std::move(parts->first);
+    panels.insert(panels.begin() + static_cast<std::ptrdiff_t>(k) + 1, std::move(parts->second));
+  }
+  return panels;
 }
 
 bool in_one_plane(const Panel& a, const Panel& b) {

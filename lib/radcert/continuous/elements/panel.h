@@ -42,6 +42,12 @@ struct Panel {
 ///           way more than ten times as many
 [[nodiscard]] Outcome<std::vector<Panel>> cut_panels(const std::vector<Panel>& panels, std::size_t most);
 
+/// Panels whose sides no corner of another lies inside.
+/// Maths     from such a point, which a face of several pieces beside an edge leaves there, a panel is cut to
+///           one of its own corners: that which makes the smaller part largest. No corners are added
+/// Result    exact, each part in the place of its panel
+[[nodiscard]] std::vector<Panel> with_edges_matched(std::vector<Panel> panels);
+
 /// Whether the planes of two panels are one.
 [[nodiscard]] bool in_one_plane(const Panel& a, const Panel& b);
 

@@ -94,6 +94,10 @@ SectorScene::SectorScene(std::vector<Panel> panels, const std::vector<Panel>& bl
         {(Ball(n.x) / size).to_double(), (Ball(n.y) / size).to_double(), (Ball(n.z) / size).to_double()});
   }
   first_sector_.push_back(sectors_.size());
+  for (const Sector& sector : sectors_) {
+    const Vector<double> outward = cross(sector.b - sector.a, normals_[sector.panel]);
+    outward_.push_back(1 / norm(outward) * outward);
+  }
   for (const Panel& panel : panels_)
     for (const Panel& other : panels_) {
       coplanar_.push_back(in_one_plane(panel, other) ? 1 : 0);
@@ -128,6 +132,13 @@ SectorScene::SectorScene(std::vector<Panel> panels, const std::vector<Panel>& bl
 Vector<double> SectorScene::origin() const { return rounded(origin_); }
 
 Vector<double> SectorScene::place(const Vector<Rational>& point) const { return rounded(point - origin_); }
+
+double SectorScene::beyond_side(std::size_t sector, const Vector<double>& point) const {
+  const Sector& own = sectors_[sector];
+  const Vector<double> way = point - own.a;
+  const double turn = 4 * displacement * extent_ / norm(own.b - own.a);
+  return dot(outward_[sector], way) - turn * norm(way);
+}
 
 bool SectorScene::aligned(std::size_t sector, std::size_t other) const {
   const auto side = [&](std::size_t k) {

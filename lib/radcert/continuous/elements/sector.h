@@ -91,6 +91,10 @@ public:
   }
   [[nodiscard]] std::optional<std::size_t> opposite(std::size_t sector) const { return opposite_[sector]; }
   [[nodiscard]] std::size_t first_sector(std::size_t panel) const { return first_sector_[panel]; }
+  /// How far a point is beyond the line of a sector's side, across it in the plane of the panel.
+  /// Maths     the ends of the side are off by displacement each, which turns a short one: that is taken away
+  /// Result    no more than it is, up to 4 displacement extent
+  [[nodiscard]] double beyond_side(std::size_t sector, const Vector<double>& point) const;
   [[nodiscard]] double area(std::size_t panel) const { return areas_[panel]; }
   [[nodiscard]] double area() const { return area_; }
   [[nodiscard]] double extent() const { return extent_; }
@@ -106,6 +110,7 @@ private:
   std::vector<Sector> sectors_;
   std::vector<std::size_t> first_sector_;  ///< of each panel, and the number of all
   std::vector<Vector<double>> normals_;
+  std::vector<Vector<double>> outward_;  ///< by sector: across its side, in the plane, of unit length
   std::vector<double> areas_;
   std::vector<char> coplanar_;
   std::vector<char> before_;

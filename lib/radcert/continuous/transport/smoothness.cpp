@@ -205,9 +205,13 @@ ObserverLines Smoothness::lines(const Cell& cell, std::size_t panel) const {
   const double height_from = dot(n, cell.from - first.a);
   const double height_to = dot(n, cell.to - first.a);
   double radius = 0;
-  for (std::size_t s = scene_.first_sector(panel); s < scene_.first_sector(panel + 1); ++s)
+  double beside = -infinity;  // beyond a side of the panel, in its plane
+  for (std::size_t s = scene_.first_sector(panel); s < scene_.first_sector(panel + 1); ++s) {
     radius = std::max(radius, norm(scene_.sectors()[s].a - first.c));
-  const double to_panel = norm(cell.middle() - first.c) - cell.half_of_middles() - radius - slack;
+    beside = std::max(beside, std::min(scene_.beyond_side(s, cell.from), scene_.beyond_side(s, cell.to)));
+  }
+  const double to_panel =
+      std::max(norm(cell.middle() - first.c) - cell.half_of_middles() - radius, beside) - slack;
   ObserverLines lines{
       .half = cell.half(slack),
       .distance = 0,
@@ -217,7 +221,7 @@ ObserverLines Smoothness::lines(const Cell& cell, std::size_t panel) const {
       .mass = 1,
       .area = scene_.area(panel) * upward,
       .rings = scene_.before(scene_.sectors()[elements_[cell.element].sector].panel, panel)};
-  lines.rings = lines.rings && !(to_panel > lines.highest);
+  lines.rings = lines.rings && !(to_panel > lines.highest || beside > slack);
   lines.distance = std::max(lines.height, to_panel);
   if (to_panel > 0)
     lines.mass = std::min(1.0, std::numbers::inv_pi * scene_.area(panel) *

@@ -23,12 +23,12 @@ double tube_bound(const ObserverLines& lines, double axis) {
   const double quotient = lines.distance / gap;
   const double by_area = std::numbers::inv_pi * lines.area * (lines.highest + axis * lines.turned) *
                          quotient / (gap * gap * gap) * upward;
-  if (!(lines.height > 0)) return by_area;
+  const double by_rings = (lines.rings ? 2 : 1) * (lines.highest + axis * lines.turned) *
+                          (1 + a / gap + a * a / (3 * gap * gap)) / gap * upward;
+  const double least = std::min(by_area, by_rings);
+  if (!(lines.height > 0)) return least;
   const double by_nearest = quotient * quotient * quotient * quotient * lines.mass;
-  const double by_rings =
-      (lines.rings ? 2 : 1) * lines.highest * (1 + a / gap + a * a / (3 * gap * gap)) / gap;
-  return std::min(by_area,
-                  (1 + axis * lines.turned / lines.height) * std::min(by_nearest, by_rings) * upward);
+  return std::min(least, (1 + axis * lines.turned / lines.height) * by_nearest * upward);
 }
 
 double slide_part(double half, double reach, double axis) {

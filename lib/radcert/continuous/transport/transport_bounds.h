@@ -28,15 +28,14 @@ struct ObserverLines {
 /// sup |T_j w| / sup |w| by the distance of the panel.
 /// Maths     |T_j w| <= (1 + a |e.n_j|/(|e| d)) T_j(|w| (r/(r-a))^4)(c), a = A |e|, r = |c-Q|, d the height
 ///           of c: |P-Q|^2 = (P-Q).(P-Q) has two factors of modulus >= r - a, n_P.(Q-P) does not change,
-///           n_j.(P-Q) by A |e.n_j| at most. With D the distance of c from Q_j, both
-///             by the nearest point   (D/(D-a))^4 T_j 1
-///             by rings               Int_D^oo (r/(r-a))^4 m d/r^2 dr = m d (1/g + a/g^2 + a^2/(3 g^3)),
-///                                    g = D - a: the kernel is at most d/r^3, on rings about the foot of
-///                                    c, m = 2; where that is not in the convex Q_j, on half rings, m = 1
-///           and, also where Q_j lies in a plane through c,
-///             by the area            (h + A |e.n_j|) |Q_j| D/(pi (D-a)^4), h the largest height of c:
-///                                    n_j.(P-Q) is at most h + A |e.n_j|, n_P.(Q-P) at most r, and r/(r-a)^4
-///                                    falls
+///           n_j.(P-Q) by A |e.n_j| at most. With D the distance of c from Q_j,
+///             by the nearest point   T_j (r/(r-a))^4 <= (D/(D-a))^4 T_j 1
+///           and, also where Q_j lies in a plane through c, since n_j.(P-Q) is at most h' = h + A |e.n_j|,
+///           h the largest height of c, and n_P.(Q-P) at most r,
+///             by rings               h' m Int_D^oo r^2/(r-a)^4 dr = h' m (1/g + a/g^2 + a^2/(3 g^3)),
+///                                    g = D - a, on rings about the foot of c, m = 2; where that is not in
+///                                    the convex Q_j, on half rings, m = 1
+///             by the area            h' |Q_j| D/(pi (D-a)^4): r/(r-a)^4 falls
 /// Result    rounded up; infinite where the ellipse comes near the panel
 [[nodiscard]] double tube_bound(const ObserverLines& lines, double axis);
 
