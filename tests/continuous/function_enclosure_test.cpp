@@ -16,6 +16,7 @@
 #include "radcert/continuous/vertex_disks.h"
 #include "radcert/core/parallel.h"
 #include "radcert/polynomial/plane_polynomial_algebra.h"
+#include "tests/continuous/demands.h"
 #include "tests/continuous/memory.h"
 #include "tests/continuous/scenes.h"
 
@@ -272,21 +273,6 @@ private:
   }
 };
 
-class DemandOf final : public LargestDemand {
-public:
-  explicit DemandOf(double allowed) : allowed_(allowed) {}
-  [[nodiscard]] double allowed(std::size_t /*element*/, const Sector& /*sector*/,
-                               const SectorBox& /*box*/) const override {
-    return allowed_;
-  }
-  [[nodiscard]] bool may_be_strip(const Sector& sector, const SectorBox& box) const override {
-    return sector.jacobian * box.weight() < 1e-5;
-  }
-
-private:
-  double allowed_;
-};
-
 TEST(LargestResiduals, SeeWhatVariesAboutAMeanOfZero) {
   // E = 1 - q/2 with q = 1 + x: w = 1, T w = 1, and t = -x, the place along the side.
   const SectorScene scene(panels_of("cube"));
@@ -300,7 +286,7 @@ TEST(LargestResiduals, SeeWhatVariesAboutAMeanOfZero) {
     emissions.of(e, 0)[2] = -0.5;
   }
   const Trial trial(scene, std::vector<double>(6, 0.5), elements, emissions, q);
-  const DemandOf demand(0.02);
+  const test::EvenDemand demand(0.02, 1e-5);
   std::size_t tried = 0;
   for (std::size_t e = 0; e < elements.size() && tried < 3; ++e) {
     if (elements[e].box.t0 == 0) continue;
@@ -317,7 +303,7 @@ TEST(LargestResiduals, BoundTheResidualEverywhere) {
   for (const std::string name : {"cube", "tetrahedron"}) {
     const Jumping jumping(name, 0.02, 11);
     const Trial& trial = jumping.trial;
-    const DemandOf demand(0.02);
+    const test::EvenDemand demand(0.02, 1e-5);
     // One cell in three, from all elements.
     const std::vector<ObserverCell> all = observer_cells(trial, demand);
     std::vector<ObserverCell> cells;

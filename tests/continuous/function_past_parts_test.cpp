@@ -15,6 +15,7 @@
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/residual_samples.h"
 #include "radcert/continuous/trial.h"
+#include "tests/continuous/demands.h"
 #include "tests/continuous/rooms.h"
 #include "tests/continuous/scenes.h"
 
@@ -86,21 +87,6 @@ private:
   const SectorFunctions& w_;
 };
 
-class SameEverywhere final : public LargestDemand {
-public:
-  explicit SameEverywhere(double allowed) : allowed_(allowed) {}
-  [[nodiscard]] double allowed(std::size_t /*element*/, const Sector& /*sector*/,
-                               const SectorBox& /*box*/) const override {
-    return allowed_;
-  }
-  [[nodiscard]] bool may_be_strip(const Sector& sector, const SectorBox& box) const override {
-    return sector.jacobian * box.weight() < 1e-3;
-  }
-
-private:
-  double allowed_;
-};
-
 TEST(LargestResiduals, BoundWhatOtherPartsLeaveToBeSeen) {
   double closest = 0;
   double most_shade = 0;
@@ -114,7 +100,7 @@ TEST(LargestResiduals, BoundWhatOtherPartsLeaveToBeSeen) {
       emissions.of(e, 0)[0] = scene.sectors()[elements[e].sector].panel == 1 ? 3 : 0.1;
     const Trial trial(scene, std::vector<double>(scene.panels().size(), 0.5), elements, emissions,
                       SectorFunctions(elements.size(), 1, 1));
-    const SameEverywhere demand(1);
+    const test::EvenDemand demand(1, 1e-3);
     const std::vector<ObserverCell> all = observer_cells(trial, demand);
     std::vector<ObserverCell> cells;
     for (const ObserverCell& cell : all)
@@ -124,7 +110,7 @@ TEST(LargestResiduals, BoundWhatOtherPartsLeaveToBeSeen) {
     std::vector<ObserverCell> middles = cells;
     for (ObserverCell& cell : middles) cell.nodes_s = cell.nodes_t = 1;
     for (ObserverCell& cell : middles) cell.of_interpolant = cell.beside = 0;
-    const std::vector<double> at_middles = largest_residuals(trial, middles, SameEverywhere(1e-3));
+    const std::vector<double> at_middles = largest_residuals(trial, middles, test::EvenDemand(1e-3));
     const std::vector<CellSamples> samples =
         ResidualSamples(trial)(middles, CellTolerances(cells.size(), 1e-4));
     const Rays rays(scene, elements, trial.w);

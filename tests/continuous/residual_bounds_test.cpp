@@ -15,6 +15,7 @@
 #include "radcert/continuous/residual.h"
 #include "radcert/continuous/residual_samples.h"
 #include "radcert/continuous/transport/cell_transport.h"
+#include "tests/continuous/demands.h"
 #include "tests/continuous/memory.h"
 #include "tests/continuous/scenes.h"
 
@@ -28,17 +29,6 @@ constexpr double unit = unit_roundoff<double>();
 /// Of samples, where nothing is demanded.
 constexpr double loosest = 0.05;
 constexpr CellDemand no_demand{.interpolation = 1e30, .quadrature = 1e30, .shade = 1e30};
-
-class NoDemand final : public LargestDemand {
-public:
-  [[nodiscard]] double allowed(std::size_t /*element*/, const Sector& /*sector*/,
-                               const SectorBox& /*box*/) const override {
-    return 1e30;
-  }
-  [[nodiscard]] bool may_be_strip(const Sector& /*sector*/, const SectorBox& /*box*/) const override {
-    return false;
-  }
-};
 
 /// A trial whose w are E + rho q for functions that the test chooses.
 struct Chosen {
@@ -138,8 +128,8 @@ TEST(ResidualBounds, AreNotTakenFromOtherCellsOrFunctions) {
   MeshWork work(context, {.layers = 2});
   static_cast<void>(residual_sums(chosen.trial, cells, no_demand, false, &work));
   EXPECT_EQ(memory.found, 1);
-  static_cast<void>(largest_residuals(chosen.trial, cells, NoDemand(), &work));
-  static_cast<void>(largest_residuals(other.trial, cells, NoDemand(), &work));
+  static_cast<void>(largest_residuals(chosen.trial, cells, test::EvenDemand(1e30), &work));
+  static_cast<void>(largest_residuals(other.trial, cells, test::EvenDemand(1e30), &work));
   EXPECT_EQ(memory.found, 1);
 }
 
@@ -365,7 +355,7 @@ TEST(LargestResiduals, CountWhatSamplesAreOffBy) {
         least = std::max(least, std::abs(value));
         amplified = std::max(amplified, sizes);
       }
-    const double largest = largest_residuals(chosen.trial, std::array{cell}, NoDemand())[0];
+    const double largest = largest_residuals(chosen.trial, std::array{cell}, test::EvenDemand(1e30))[0];
     ASSERT_GT(amplified * found.radius, 1e-3 * least);
     EXPECT_GE(largest, (least + amplified * found.radius) * (1 - 1e-12));
     EXPECT_LE(largest, 1.2 * (least + amplified * found.radius));
@@ -373,7 +363,7 @@ TEST(LargestResiduals, CountWhatSamplesAreOffBy) {
     ObserverCell wide = cell;
     wide.of_interpolant = 1e6;
     wide.beside = 1e5;
-    EXPECT_GE(largest_residuals(chosen.trial, std::array{wide}, NoDemand())[0], 1e6 + 1e5);
+    EXPECT_GE(largest_residuals(chosen.trial, std::array{wide}, test::EvenDemand(1e30))[0], 1e6 + 1e5);
   }
 }
 
@@ -419,17 +409,6 @@ TEST(InterpolationError, IsThatOfBothVariables) {
             std::min(3 * (1 + of_8) + 5 * of_8 * (1 + of_2), 5 * (1 + of_2) + 3 * of_2 * (1 + of_8)));
 }
 
-class Allowed final : public LargestDemand {
-public:
-  [[nodiscard]] double allowed(std::size_t /*element*/, const Sector& /*sector*/,
-                               const SectorBox& /*box*/) const override {
-    return 0.1;
-  }
-  [[nodiscard]] bool may_be_strip(const Sector& sector, const SectorBox& box) const override {
-    return sector.jacobian * box.weight() < 1e-5;
-  }
-};
-
 TEST(ObserverCells, HaveWhatRulesMissInBothVariablesAndWhatAClosureLeaves) {
   const auto nearly_one = [](const SectorScene&, const std::vector<SectorElement>& elements) {
     Draw draw(37);
@@ -445,7 +424,7 @@ TEST(ObserverCells, HaveWhatRulesMissInBothVariablesAndWhatAClosureLeaves) {
   const EdgeClosure& closure = chosen.trial.closure;
   const std::array<std::vector<ObserverCell>, 2> found{
       observer_cells(chosen.trial, CellDemand{.interpolation = 3e-3, .quadrature = 1e-3, .shade = 1}),
-      observer_cells(chosen.trial, Allowed())};
+      observer_cells(chosen.trial, test::EvenDemand(0.1, 1e-5))};
   for (const std::vector<ObserverCell>& cells : found) {
     double in_both = 1;
     double beside_rules = 0;

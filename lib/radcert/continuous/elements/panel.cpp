@@ -151,8 +151,8 @@ bool lies_inside(const Vector<Rational>& point, const Vector<Rational>& from, co
          dot(from - to, point - to).sign() > 0;
 }
 
-/// Both parts of a panel, cut from a point inside its side i to one of its corners.
-std::pair<Panel, Panel> halves(const Panel& panel, std::size_t i, const Vector<Rational>& point) {
+/// Both parts of a panel that is cut from a point inside its side i to one of its corners.
+std::pair<Panel, Panel> cut_from(const Vector<Rational>& point, std::size_t i, const Panel& panel) {
   const std::size_t n = panel.corners.size();
   const auto part = [&](std::size_t first, std::size_t last) {
     std::vector<Vector<Rational>> corners{point};
@@ -280,7 +280,7 @@ std::vector<Panel> with_edges_matched(std::vector<Panel> panels) {
       const auto inside = std::find_if(points.begin(), points.end(), [&](const Vector<Rational>& point) {
         return lies_inside(point, panel.corners[i], to);
       });
-      if (inside != points.end()) parts = halves(panel, i, *inside);
+      if (inside != points.end()) parts = cut_from(*inside, i, panel);
     }
     if (!parts) {
       ++k;

@@ -41,8 +41,8 @@ bool lies_along(const Vector<Rational>& from, const Vector<Rational>& to, const 
         cross(panel.normal, panel.corners[(l + 1) % panel.corners.size()] - corner);
     const Rational at_from = dot(inwards, from - corner);
     const Rational at_to = dot(inwards, to - corner);
-    if (std::max(at_from.sign(), at_to.sign()) <= 0 && at_from.sign() != at_to.sign()) return false;
-    if (at_from.sign() < 0 && at_to.sign() < 0) return false;
+    if (std::max(at_from.sign(), at_to.sign()) <= 0 && std::min(at_from.sign(), at_to.sign()) < 0)
+      return false;
     if (at_from.sign() * at_to.sign() >= 0) continue;
     const Rational crossing = at_from / (at_from - at_to);
     if (at_from.sign() < 0)

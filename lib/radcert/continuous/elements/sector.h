@@ -61,7 +61,7 @@ struct SectorBox {
 /// The boundary of a polyhedron, ready for integration.
 /// Maths     sectors of a panel follow one another, in the order of its sides; extent bounds the coordinates
 /// Requires  panels of a closed surface: in the boundary of a convex body, or as cut_panels gives them, with
-///           convex polygons that are all of the surface as blockers
+///           convex polygons that are all of the surface as blockers; with_edges_matched or not
 /// Result    geometry in double; what is decided is decided on the exact panels. parallel(i, j): the side of
 ///           sector i is parallel to the plane of panel j; touching(i, j): it lies in that plane, which is
 ///           not its own, and has a part of its length in the panel; before(i, j): a point of panel i has its
