@@ -63,10 +63,10 @@ struct FunctionEnclosure {
 ///           the vertices give a bound of u - v by the distance (supersolution). Where parts hide each other
 ///           cells are cut until little of what they see is seen in part (Penumbra)
 /// Requires  as enclose_means, one emission; 0 <= outside
-/// Result    proved; the mesh as there, until |u - v| <= wanted/2 where the distance from all vertices is at
+/// Result    proved; the mesh as there, until |u - v| <= wanted/2 where the distance from all corners is at
 ///           least `outside`; 0 there where that holds everywhere. The same bits for any number of threads
 /// Limits    edges whose two sides have not the same ends are as bad as vertices, and are not spared: panels
-///           are to be with_edges_matched. What is seen in part falls with the size of the cells, as for means
+///           are to be with_edges_matched. What is seen in part falls with the size of cells, as for means
 [[nodiscard]] FunctionEnclosure enclose_function(const PolyhedronProblem& problem, double wanted,
                                                  double outside, const SearchContext& context = {},
                                                  bool with_proof = false);
