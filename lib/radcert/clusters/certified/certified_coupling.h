@@ -69,7 +69,8 @@ private:
 ///           double, sums as if in twice the precision, with all roundings counted. Nothing where that was
 ///           not found: clusters too near
 /// Limits    tries the degree of CouplingLook and at most three more. Octants of ellipsoids larger than about
-///           1/64 of the octant have neighbourhoods too small for couplings. For one thread
+///           1/64 of the octant, and clusters larger than about 1/128 of other curved charts, have
+///           neighbourhoods too small for couplings. For one thread
 class CertifiedLook {
 public:
   CertifiedLook(const CertifiedOutlines& outlines, const ClusterOutlines& estimated,

@@ -59,18 +59,15 @@ double from_second_order(double x) {
 
 }  // namespace
 
-bool has_cluster_regions(const Chart& chart) {
-  return chart.is_known_in_balls() && (chart.facts().plane.has_value() || octant_axes(chart).has_value());
-}
-
 ClusterRegion::ClusterRegion(const Chart& chart, const ParameterTriangle& triangle) {
-  expects(has_cluster_regions(chart), "a plane chart or an octant of an ellipsoid",
-          named("chart", chart.facts().name));
+  expects(chart.is_known_in_balls(), "a chart that is known in balls", named("chart", chart.facts().name));
   const BallPrecision precision(BallPrecision::default_bits);
   if (const std::optional<Vector<Ball>> axes = octant_axes(chart)) {
     be_octant(*axes, triangle);
-  } else {
+  } else if (chart.facts().plane) {
     be_plane(chart, triangle);
+  } else {
+    be_curved(chart, triangle);
   }
 }
 
@@ -120,6 +117,21 @@ void ClusterRegion::be_octant(const Vector<Ball>& axes, const ParameterTriangle&
   weight_ = (area_of(v) * abs(axes.x * axes.y * axes.z) * length_of_normal / power(length, 4)).upper_double();
 }
 
+void ClusterRegion::be_curved(const Chart& chart, const ParameterTriangle& triangle) {
+  growth_.emplace(chart, triangle);
+  const ParameterPoint<Ball> middle{Ball(growth_->middle().s), Ball(growth_->middle().t)};
+  const Frame<Ball> frame = chart.in<Ball>().frame(middle);
+  const std::array<ParameterPoint<Ball>, 3> v = vertices_of(triangle);
+  std::array<Vector<Ball>, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const ParameterPoint<Ball> w = v[i] - middle;
+    corners[i] = frame.point + w.s * frame.tangent_s + w.t * frame.tangent_t;
+  }
+  take_corners(corners);
+  take_normal(unit_normal(frame));
+  weight_ = area_of(v).upper_double();
+}
+
 void ClusterRegion::take_corners(const std::array<Vector<Ball>, 3>& corners) {
   for (std::size_t i = 0; i < 3; ++i) {
     corners_[i] = middle(corners[i]);
@@ -136,11 +148,19 @@ void ClusterRegion::take_normal(const Vector<Ball>& normal) {
 }
 
 double ClusterRegion::limit() const {
+  if (growth_) return growth_->limit();
   const double fastest = std::max(rate_, normal_rate_);
   return fastest > 0 ? largest_rate / fastest : infinity;
 }
 
 ClusterRegion::Neighbourhood ClusterRegion::at(double g) const {
+  if (growth_) {
+    const ChartGrowth::Bounds grown = growth_->at(g);
+    return {.g = g,
+            .bend = (g * corner_error_ + grown.bend) * up,
+            .turn = (normal_error_ + grown.turn) * up,
+            .weight = weight_ * grown.area * up};
+  }
   const double x = rate_ * g * up;
   const double of_normal = normal_rate_ * g * up;
   if (!(x < largest_rate && of_normal < largest_rate))

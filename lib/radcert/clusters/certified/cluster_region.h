@@ -3,7 +3,9 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
+#include "radcert/clusters/certified/chart_growth.h"
 #include "radcert/geometry/vector.h"
 #include "radcert/scalar/ball.h"
 #include "radcert/surface/chart.h"
@@ -11,7 +13,7 @@
 
 namespace radcert {
 
-/// A cluster on a plane chart or on an octant of an ellipsoid, and complex neighbourhoods of it.
+/// A cluster on a chart, and complex neighbourhoods of it.
 /// Maths     on E_g = {lambda in C^3: sum lambda_i = 1, sum |lambda_i| <= g} the chart's point, at the
 ///           parameters sum lambda_i v_i, is A + e, A = sum lambda_i q_i with real corners q_i within
 ///           `radius` of the centre, so that L(A - centre) <= g radius, and L(e) <= bend; its unit normal is
@@ -34,8 +36,9 @@ namespace radcert {
 ///           of T^-1 c and T^-1 w in the same way: turn is 2 (1-x')^(-1/2) - 2. Where (c + tw).(c + tw) = 0,
 ///           |t| >= |c| / L(w), as kernel_bound has it, so that the roots are analytic, and |e.e| >= |c|^2 (1
 ///           - x)^2; as e.(e_s x e_t) = 1, D_s F x D_t F = det(T) T^-1 e/(e.e)^2, and the area element is at
-///           most |det T| |T^-1 c| (1 + x')/(|c| (1 - x))^4
-/// Requires  has_cluster_regions of the chart, else ContractViolation
+///           most |det T| |T^-1 c| (1 + x')/(|c| (1 - x))^4.  Other charts: A is F to the first order about
+///           the middle of the parameters, m the normal there, and the rest is as ChartGrowth has it
+/// Requires  a chart that is known in balls, else ContractViolation
 /// Result    bounds rounded outwards. at(g): infinite unless g < limit()
 class ClusterRegion {
 public:
@@ -62,6 +65,7 @@ public:
 private:
   void be_plane(const Chart& chart, const ParameterTriangle& triangle);
   void be_octant(const Vector<Ball>& axes, const ParameterTriangle& triangle);
+  void be_curved(const Chart& chart, const ParameterTriangle& triangle);
   void take_corners(const std::array<Vector<Ball>, 3>& corners);
   void take_normal(const Vector<Ball>& normal);
 
@@ -71,14 +75,12 @@ private:
   double radius_ = 0;
   Vector<double> normal_;
   double normal_error_ = 0;
-  double weight_ = 0;       ///< at g = 0
-  double size_ = 0;         ///< |T|
-  double rate_ = 0;         ///< x / g
-  double normal_rate_ = 0;  ///< x' / g
+  double weight_ = 0;                  ///< at g = 0
+  double size_ = 0;                    ///< |T|
+  double rate_ = 0;                    ///< x / g
+  double normal_rate_ = 0;             ///< x' / g
+  std::optional<ChartGrowth> growth_;  ///< of a chart that is neither plane nor an octant
 };
-
-/// Whether a chart is one of those that ClusterRegion takes.
-[[nodiscard]] bool has_cluster_regions(const Chart& chart);
 
 /// What bounds |G|, one of the points in a complex neighbourhood.
 /// Maths     P in the cluster of `from`, Q on E_g of `seen`, c the centre of `seen`, w = Q - c, so that L(w)

@@ -71,16 +71,8 @@ int refinements_of_leaves(const EnclosedClusters::Setting& setting) {
 
 }  // namespace
 
-std::optional<std::string> obstacle_to_proved_clusters(const Surface& surface) {
-  if (std::optional<std::string> found = obstacle_to_clusters(surface)) return found;
-  for (const Chart& chart : surface.charts)
-    if (!has_cluster_regions(chart))
-      return "the chart " + chart.facts().name + " is neither plane nor an octant of an ellipsoid";
-  return std::nullopt;
-}
-
 Outcome<EnclosedClusters> enclosed_clusters(const EnclosedClusters::Setting& setting) {
-  const std::optional<std::string> obstacle = obstacle_to_proved_clusters(setting.surface);
+  const std::optional<std::string> obstacle = obstacle_to_clusters(setting.surface);
   expects(!obstacle, "a surface of analytic charts in balls that hides nothing",
           named("surface", setting.surface.name), named("obstacle", obstacle.value_or("")));
   const int refinements = setting.refinements.value_or(refinements_of_leaves(setting));

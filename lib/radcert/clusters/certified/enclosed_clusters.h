@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "radcert/clusters/certified/enclosed_couplings.h"
@@ -20,11 +19,6 @@
 #include "radcert/triangulation/triangulation.h"
 
 namespace radcert {
-
-/// Why the couplings of a surface's clusters are not proved, if so.
-/// Result    obstacle_to_clusters, or a chart without has_cluster_regions: what the theorem asks for is not
-///           bounded on complex neighbourhoods
-[[nodiscard]] std::optional<std::string> obstacle_to_proved_clusters(const Surface& surface);
 
 /// The matrix of K P_n at the nodes with the reflectivity 1, by products that enclose.
 /// Maths     k_ij = 1/pi Int_{Delta_k} G(v_i,Q) l_j(Q) dS_Q at the exact nodes. Far clusters couple as in
@@ -71,7 +65,7 @@ private:
 };
 
 /// Divides the pairs, proves the couplings and integrates the near entries.
-/// Requires  a uniform triangulation of this level, a surface without obstacle_to_proved_clusters that lies
+/// Requires  a uniform triangulation of this level, a surface without obstacle_to_clusters that lies
 ///           in the boundary of a convex body; functions of degree at most 8; what is passed outlives it
 /// Result    truncation within the tolerance. Refused in words as enclosed_near_entries; InputError where
 ///           more memory would be taken than the limit

@@ -36,15 +36,13 @@ std::optional<Obstacle> obstacle(const Problem& problem, const Surface& surface)
   if (!std::holds_alternative<Collocation>(problem.method)) return dense_for("a meshless basis");
   if (problem.geometry) return dense_for("interpolated geometry, where each element is a chart of its own");
   const bool is_graded = problem.triangulation.grading != Rational(1);
-  if (is_graded && !has_plane_charts(surface)) return dense_for("a graded triangulation of curved charts");
   if (problem.triangulation.events) return dense_for("a triangulation that is cut along events");
   if (const auto on_surface = obstacle_to_clusters(surface))
     return dense_for("the surface " + surface.name + ": " + *on_surface);
   const LinearSolver* solver = find_linear_solver(problem.solver.name);
   if (solver != nullptr && solver->proves()) {
     if (is_graded) return dense_for("a proof on a graded triangulation");
-    const auto unproved = obstacle_to_proved_clusters(surface);
-    return unproved ? dense_for("a proof on the surface " + surface.name + ": " + *unproved) : std::nullopt;
+    return std::nullopt;
   }
   if (solver != nullptr && !solver->takes_products())
     return Obstacle{"has no entries for the solver " + problem.solver.name,

@@ -18,9 +18,9 @@ namespace radcert {
 inline constexpr std::uint64_t most_dense_unknowns = 8192;
 
 /// Refuses a form that is not known, and `h2` where it does not serve the problem: a method that is no
-/// collocation on triangles, an interpolated geometry, a graded triangulation of curved charts or for a
-/// solver that proves, a surface with an obstacle_to_clusters, or to_proved_clusters for a solver that
-/// proves, a solver that needs entries, a tolerance outside that of ClusterTolerance.
+/// collocation on triangles, an interpolated geometry, a graded triangulation for a solver that proves, a
+/// surface with an obstacle_to_clusters, a solver that needs entries, a tolerance outside that of
+/// ClusterTolerance.
 /// Result    returns, or throws InputError at the place in the problem
 void check_operator(const Problem& problem, const Surface& surface);
 
