@@ -165,7 +165,8 @@ class Solve(ProgramTest):
             means = [of["pieces"][piece] for of in by_piece.values()]
             total = 0.75 * sum(float(mean["midpoint"]) for mean in means)
             self.assertLessEqual(abs(total - 1), 0.75 * sum(float(mean["radius"]) for mean in means))
-        values = json.loads(self.solution("cube.json", "--guarantee", "1", "--at", "1/3,1/3,-1/3"))["enclosure"]
+        self.write("at.csv", "x,y,z\n1/3,1/3,-1/3\n")
+        values = json.loads(self.solution("cube.json", "--guarantee", "1", "--at", "at.csv"))["enclosure"]
         self.assertIsNone(values["pieces"])
         [point] = values["points"]
         self.assertEqual(point["at"], ["1/3", "1/3", "-1/3"])
@@ -179,7 +180,8 @@ class Solve(ProgramTest):
             self.assertTrue(os.path.exists(self.path(name)), name)
         for words in [["own.json", "--guarantee", "0"], ["own.json", "--at", "1,1"], ["own.json", "--at", "9,9,9"],
                       ["own.json", "--of", "means", "--at", "1/3,1/3,-1/3"], ["own.json", "--outside", "1/10"],
-                      ["own.json", "--of", "function", "--outside", "-1"], ["own.json", "--of", "function", "--ply", "a.ply"],
+                      ["own.json", "--of", "function", "--outside", "-1"],
+                      ["own.json", "--of", "function", "--outside", "1e9"], ["own.json", "--of", "function", "--ply", "a.ply"],
                       ["own.json", "--guarantee", "1e-15"], ["own.json", "--of", "all"], ["cube.json", "--of", "means"],
                       ["own.json", "--vtu", "a.vtu"], ["own.json", "--out", "folder"],
                       ["own.json", "--emission-by", "face"], ["ball.json", "--guarantee", "1", "--emission-by", "piece"],

@@ -45,6 +45,24 @@ TEST(ReadPoints, RefusesWithTheLine) {
   }
 }
 
+TEST(ReadPoints, AreExactWhereThatIsAskedFor) {
+  const std::vector<Vector<Rational>> points = read_exact_points("z,x,note,y\n1/3,0.1,a,-2e-400\n");
+  ASSERT_EQ(points.size(), 1U);
+  EXPECT_EQ(points[0].x, Rational(1, 10));
+  EXPECT_EQ(points[0].y, Rational::parse("-2e-400").value());
+  EXPECT_EQ(points[0].z, Rational(1, 3));
+  for (const auto& [text, line] : {std::pair("piece,s,t\nfloor,0,0\n", "line 1"),
+                                   {"x,y,z\n", "line 1"},
+                                   {"x,y,z\n1,2,3\n1,2,sqrt(2)\n", "line 3"}}) {
+    try {
+      static_cast<void>(read_exact_points(text));
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.fault().pointer, line) << text;
+    }
+  }
+}
+
 ValueAt value_at(double x) {
   ValueAt at;
   at.piece = "floor";

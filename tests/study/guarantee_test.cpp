@@ -116,6 +116,8 @@ TEST(Guarantee, TakesADistanceForFunctionsOnPolyhedraAlone) {
       check_guarantee(lit_cube(), {Rational(1, 100), EnclosedQuantity::function, {}, Rational(1, 20)}));
   EXPECT_EQ(fault(lit_cube(), EnclosedQuantity::means, 1).pointer, "/guarantee/outside");
   EXPECT_EQ(fault(lit_cube(), EnclosedQuantity::function, -1).pointer, "/guarantee/outside");
+  EXPECT_THAT(fault(lit_cube(), EnclosedQuantity::function, Rational(3, 2)).allowed,
+              HasSubstr("less than 1.41421"));
   EXPECT_EQ(fault(with_emission(sample_problem("sphere"), "1"), EnclosedQuantity::function, 1).pointer,
             "/guarantee/outside");
 }

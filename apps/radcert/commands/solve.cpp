@@ -190,12 +190,15 @@ bool asks_for_guarantee(const SolveOptions& options, const Problem& problem) {
          !options.emission_by.empty();
 }
 
+/// Whether a word of --at names a file, and not a point.
+bool is_file_of_points(const std::string& word) { return word.find(',') == std::string::npos; }
+
 /// The points of --at without a guarantee: "1/2,1/2,0", or those of a file.
 std::vector<AskedPoint> asked_points(const SolveOptions& options, Outputs& outputs,
                                      std::vector<InputDigest>& inputs) {
   std::vector<AskedPoint> out;
   for (const std::string& word : options.at) {
-    if (word.find(',') == std::string::npos) {
+    if (is_file_of_points(word)) {
       const InputFile file = read_input(word, points_size_limit);
       outputs.input(word);
       inputs.push_back(file.digest);
@@ -284,8 +287,25 @@ std::optional<std::vector<ValueAt>> values_at(const PointsWish& wish, const Prob
   return out;
 }
 
+/// The points of --at for a guarantee, as a problem has them.
+JsonValue guaranteed_points(const SolveOptions& options, Outputs& outputs) {
+  JsonValue points = JsonValue::array();
+  for (const std::string& word : options.at) {
+    if (!is_file_of_points(word)) {
+      points.push(coordinates_json(word));
+      continue;
+    }
+    const InputFile file = read_input(word, points_size_limit);
+    outputs.input(word);
+    const std::vector<Vector<Rational>> of_file =
+        with_source(file.source, [&] { return read_exact_points(file.text); });
+    for (const Vector<Rational>& point : of_file) points.push(point_json(point));
+  }
+  return points;
+}
+
 /// The problem with what --guarantee, --of, --at, --outside and --emission-by say in place of its own words.
-Problem problem_of(const SolveOptions& options, const InputFile& input) {
+Problem problem_of(const SolveOptions& options, Outputs& outputs, const InputFile& input) {
   Problem problem = parse_problem(input.text, input.source);
   if (!asks_for_guarantee(options, problem)) return problem;
   JsonValue guarantee = JsonValue::object();
@@ -303,8 +323,7 @@ Problem problem_of(const SolveOptions& options, const InputFile& input) {
     guarantee.set("outside", options.outside);
   else if (problem.guarantee && problem.guarantee->outside)
     guarantee.set("outside", exact_json(*problem.guarantee->outside));
-  JsonValue points = JsonValue::array();
-  for (const std::string& point : options.at) points.push(coordinates_json(point));
+  JsonValue points = guaranteed_points(options, outputs);
   if (options.at.empty() && problem.guarantee)
     for (const Vector<Rational>& point : problem.guarantee->points) points.push(point_json(point));
   if (!points.elements()->empty()) guarantee.set("points", std::move(points));
@@ -411,7 +430,7 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Output
 ExitCode solve(const Common& common, const SolveOptions& options) {
   Outputs outputs = checked_outputs(common, options);
   const InputFile input = read_input(options.problem, json_size_limit);
-  const Problem problem = with_solver_of_run(problem_of(options, input));
+  const Problem problem = with_solver_of_run(problem_of(options, outputs, input));
   for (const InputDigest& named : inputs_named_in({&problem, 1})) outputs.input(named.name);
   require_same_named_files({&problem, 1});
   if (problem.guarantee) {

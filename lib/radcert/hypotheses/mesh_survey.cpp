@@ -176,7 +176,7 @@ void decide_containment(MeshSurvey& survey) {
 
 }  // namespace
 
-std::optional<std::string> MeshSurvey::obstacle() const {
+std::optional<std::string> MeshSurvey::fault_of_triangles() const {
   if (!defects.degenerate_triangles.empty())
     return "has " +
            several(defects.degenerate_triangles.size(), "degenerate triangle", "degenerate triangles");
@@ -196,6 +196,11 @@ std::optional<std::string> MeshSurvey::obstacle() const {
            " whose inner side is not the inside of the body, the first with a corner at " +
            point_text(mesh.vertices[mesh.triangles[front.misoriented.front()][0]]) +
            ": the triangles of a body within a room run the other way round";
+  return std::nullopt;
+}
+
+std::optional<std::string> MeshSurvey::obstacle() const {
+  if (std::optional<std::string> fault = fault_of_triangles()) return fault;
   if (front.undecided) return *front.undecided;
   if (looks_away)
     return "is open, and by the right-hand rule, as its file has it, all of it looks away from the rest: "
@@ -203,6 +208,8 @@ std::optional<std::string> MeshSurvey::obstacle() const {
            "front right-hand nothing sees anything; with front left-hand the light is on the inner side";
   return std::nullopt;
 }
+
+bool MeshSurvey::needs_front() const { return (front.undecided || looks_away) && !fault_of_triangles(); }
 
 Surface MeshSurvey::surface(const std::string& name) const {
   expects(components.has_value(), "a mesh without degenerate triangles");

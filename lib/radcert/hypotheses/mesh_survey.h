@@ -51,8 +51,13 @@ struct MeshSurvey {
 
   /// The defect that keeps the mesh from being a surface for radiosity, if there is one.
   [[nodiscard]] std::optional<std::string> obstacle() const;
+  /// Whether that is for want of a rule that says which side is the inner one.
+  [[nodiscard]] bool needs_front() const;
   /// The mesh as a surface. Requires components, else ContractViolation.
   [[nodiscard]] Surface surface(const std::string& name) const;
+
+private:
+  [[nodiscard]] std::optional<std::string> fault_of_triangles() const;
 };
 
 /// The default angle beyond which an edge is sharp.

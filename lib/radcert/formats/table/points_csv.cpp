@@ -30,31 +30,55 @@ JsonValue number_json(const std::optional<Approximation>& number) {
   return number ? approximation_json(*number) : JsonValue();
 }
 
+/// The rows of a file of points, one a point.
+class PointRows {
+public:
+  explicit PointRows(std::string_view text) : rows_(text), head_(rows_.next()) {}
+  [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const {
+    return csv_column(head_, name);
+  }
+  /// InputError for a row of another length, for a point too many, and where there is none.
+  std::optional<std::vector<std::string>> next() {
+    auto row = rows_.next();
+    if (!row) {
+      if (count_ > 0) return row;
+      throw InputError(
+          {.pointer = line_text(1), .problem = "is followed by no point", .allowed = "a line a point"});
+    }
+    require_cells(*row, head_->size(), rows_.line());
+    if (count_++ == most_points)
+      throw InputError({.pointer = line_text(rows_.line()),
+                        .problem = "is one point too many",
+                        .allowed = "at most " + std::to_string(most_points) + " points"});
+    return row;
+  }
+  [[nodiscard]] std::size_t line() const { return rows_.line(); }
+  [[noreturn]] static void refuse_columns(const std::string& allowed) {
+    throw InputError(
+        {.pointer = line_text(1), .problem = "has not the columns of a file of points", .allowed = allowed});
+  }
+
+private:
+  CsvRows rows_;
+  std::optional<std::vector<std::string>> head_;
+  std::size_t count_ = 0;
+};
+
 }  // namespace
 
 std::vector<AskedPoint> read_points(std::string_view text) {
-  CsvRows rows(text);
-  const auto head = rows.next();
-  const auto column = [&](std::string_view name) { return csv_column(head, name); };
-  const auto s = column("s");
-  const auto t = column("t");
-  const auto chart = column("chart");
-  const auto piece = column("piece");
-  const auto x = column("x");
-  const auto y = column("y");
-  const auto z = column("z");
+  PointRows rows(text);
+  const auto s = rows.column("s");
+  const auto t = rows.column("t");
+  const auto chart = rows.column("chart");
+  const auto piece = rows.column("piece");
+  const auto x = rows.column("x");
+  const auto y = rows.column("y");
+  const auto z = rows.column("z");
   const bool by_parameters = s && t && (chart || piece);
-  if (!by_parameters && !(x && y && z))
-    throw InputError({.pointer = line_text(1),
-                      .problem = "has not the columns of a file of points",
-                      .allowed = "x, y, z; or piece, s, t; or chart, s, t"});
+  if (!by_parameters && !(x && y && z)) PointRows::refuse_columns("x, y, z; or piece, s, t; or chart, s, t");
   std::vector<AskedPoint> out;
   while (const auto row = rows.next()) {
-    require_cells(*row, head->size(), rows.line());
-    if (out.size() == most_points)
-      throw InputError({.pointer = line_text(rows.line()),
-                        .problem = "is one point too many",
-                        .allowed = "at most " + std::to_string(most_points) + " points"});
     AskedPoint asked{.where = line_text(rows.line())};
     const auto number = [&](std::size_t place) { return finite_number((*row)[place], rows.line()); };
     if (by_parameters) {
@@ -68,9 +92,28 @@ std::vector<AskedPoint> read_points(std::string_view text) {
     }
     out.push_back(std::move(asked));
   }
-  if (out.empty())
-    throw InputError(
-        {.pointer = line_text(1), .problem = "is followed by no point", .allowed = "a line a point"});
+  return out;
+}
+
+std::vector<Vector<Rational>> read_exact_points(std::string_view text) {
+  PointRows rows(text);
+  const auto x = rows.column("x");
+  const auto y = rows.column("y");
+  const auto z = rows.column("z");
+  if (!(x && y && z)) PointRows::refuse_columns("x, y, z");
+  std::vector<Vector<Rational>> out;
+  while (const auto row = rows.next()) {
+    const auto coordinate = [&](std::size_t place) {
+      Outcome<Rational> number = Rational::parse((*row)[place]);
+      if (!number)
+        throw InputError({.pointer = line_text(rows.line()),
+                          .value = (*row)[place],
+                          .problem = number.reason(),
+                          .allowed = "decimals or fractions"});
+      return std::move(number).value();
+    };
+    out.push_back({coordinate(*x), coordinate(*y), coordinate(*z)});
+  }
   return out;
 }
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "radcert/formats/json/json_value.h"
+#include "radcert/geometry/vector.h"
+#include "radcert/scalar/rational.h"
 #include "radcert/study/collocation/solution_level.h"
 
 namespace radcert {
@@ -28,6 +30,10 @@ struct AskedPoint {
 /// Result    InputError with the line for a file without such columns or without a point, for a row of
 ///           another length, a cell that is no finite number, and for more than a million points
 [[nodiscard]] std::vector<AskedPoint> read_points(std::string_view text);
+
+/// The points of a CSV file with the columns x, y, z, exactly: decimals or fractions.
+/// Result    InputError as read_points
+[[nodiscard]] std::vector<Vector<Rational>> read_exact_points(std::string_view text);
 
 /// Values of a solution at points, as CSV.
 /// Source    the columns piece, chart, s, t, x, y, z, distance, u_n, u_n_radius, iterated, iterated_radius,

@@ -386,6 +386,15 @@ std::vector<SolutionPoint> points_on_parts(const Guarantee& guarantee, const std
   return out;
 }
 
+/// The square of the largest distance of two corners of one face: each point of it is nearer to all of them.
+Rational squared_extent(const PolyhedronProblem& polyhedron) {
+  Rational largest = 0;
+  for (const Panel& panel : polyhedron.panels)
+    for (const Vector<Rational>& a : panel.corners)
+      for (const Vector<Rational>& b : panel.corners) largest = std::max(largest, dot(a - b, a - b));
+  return largest;
+}
+
 /// How far from the vertices a bound is wanted.
 double distance_from_vertices(const Guarantee& guarantee, const PolyhedronProblem& polyhedron) {
   if (guarantee.outside) {
@@ -395,6 +404,14 @@ double distance_from_vertices(const Guarantee& guarantee, const PolyhedronProble
                         .problem = "is negative",
                         .allowed = "a distance from the vertices, 0 or more"});
     require_normal(*guarantee.outside, "/guarantee/outside");
+    const Rational extent = squared_extent(polyhedron);
+    if (*guarantee.outside * *guarantee.outside >= extent)
+      throw InputError({.pointer = "/guarantee/outside",
+                        .value = guarantee.outside->to_text(),
+                        .problem = "is farther than any point of a face is from its corners",
+                        .allowed = "less than " +
+                                   nearest_text(std::sqrt(extent.to_double()), DecimalForm::general(6)) +
+                                   ", the largest distance of two corners of a face"});
     return guarantee.outside->to_double();
   }
   double shortest = std::numeric_limits<double>::infinity();
