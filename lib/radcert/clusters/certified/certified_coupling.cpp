@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "radcert/clusters/certified/approximation_bound.h"
+#include "radcert/clusters/certified/enclosed_nodes.h"
 #include "radcert/clusters/certified/interpolation_bounds.h"
 #include "radcert/clusters/mode_products.h"
 #include "radcert/clusters/mode_tables.h"
@@ -51,18 +52,10 @@ Nodes nodes_of(const Chart& chart, const ParameterTriangle& triangle, int degree
     return std::array<long double, 3>{long_double_of(v.x, nodes.error), long_double_of(v.y, nodes.error),
                                       long_double_of(v.z, nodes.error)};
   };
-  const auto corner = [&](std::size_t i) {
-    return ParameterPoint<Ball>{Ball(triangle.vertices[i].s), Ball(triangle.vertices[i].t)};
-  };
-  const ParameterPoint<Ball> origin = corner(0);
-  const ParameterPoint<Ball> first = corner(1) - origin;
-  const ParameterPoint<Ball> second = corner(2) - origin;
-  const Ball area = abs(cross(first, second)) / Ball(2);
-  for (const ParameterPoint<double>& x : exact_interpolation_nodes(degree)) {
-    const Frame<Ball> frame = chart.in<Ball>().frame(origin + Ball(x.s) * first + Ball(x.t) * second);
-    nodes.at.push_back(rounded(frame.point));
-    nodes.normal.push_back(rounded(unit_normal(frame)));
-    nodes.weight.push_back(long_double_of(area * area_element(frame), nodes.weight_error));
+  for (const EnclosedNode& node : enclosed_nodes(chart, triangle, degree)) {
+    nodes.at.push_back(rounded(node.frame.point));
+    nodes.normal.push_back(rounded(unit_normal(node.frame)));
+    nodes.weight.push_back(long_double_of(node.weight, nodes.weight_error));
     for (const long double coordinate : nodes.at.back())
       nodes.size = std::max(nodes.size, static_cast<double>(std::abs(coordinate)) * up);
     nodes.largest_weight = std::max(nodes.largest_weight, static_cast<double>(nodes.weight.back()) * up);

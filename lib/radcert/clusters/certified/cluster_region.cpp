@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "radcert/clusters/certified/enclosed_nodes.h"
 #include "radcert/core/contract.h"
 #include "radcert/scalar/ball_precision.h"
 #include "radcert/surface/catalogue/ellipsoid.h"
@@ -32,16 +33,6 @@ Vector<double> centre_of(const std::array<Vector<double>, 3>& v) {
   const Vector<double> n = cross(a, b);
   const Vector<double> rest = cross(dot(a, a) * b - dot(b, b) * a, n);
   return v[0] + (1 / (2 * dot(n, n))) * rest;
-}
-
-std::array<ParameterPoint<Ball>, 3> vertices_of(const ParameterTriangle& triangle) {
-  std::array<ParameterPoint<Ball>, 3> v;
-  for (std::size_t i = 0; i < 3; ++i) v[i] = {Ball(triangle.vertices[i].s), Ball(triangle.vertices[i].t)};
-  return v;
-}
-
-Ball area_of(const std::array<ParameterPoint<Ball>, 3>& v) {
-  return abs(cross(v[1] - v[0], v[2] - v[0])) / Ball(2);
 }
 
 /// Of x and x', far from where 1 - x is rounding.

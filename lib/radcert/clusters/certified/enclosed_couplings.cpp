@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "radcert/clusters/certified/enclosed_nodes.h"
 #include "radcert/clusters/certified/interpolation_bounds.h"
 #include "radcert/clusters/mode_tables.h"
 #include "radcert/core/contract.h"
@@ -65,20 +66,10 @@ EnclosedCouplings::EnclosedCouplings(const std::vector<Chart>& charts, const Clu
 }
 
 void EnclosedCouplings::place(NodeSet& set, const Chart& chart, const ParameterTriangle& triangle) {
-  const auto corner = [&](std::size_t i) {
-    return ParameterPoint<Ball>{Ball(triangle.vertices[i].s), Ball(triangle.vertices[i].t)};
-  };
-  const ParameterPoint<Ball> origin = corner(0);
-  const ParameterPoint<Ball> first = corner(1) - origin;
-  const ParameterPoint<Ball> second = corner(2) - origin;
-  const Ball area = abs(cross(first, second)) / Ball(2);
   std::size_t at = set.first;
-  for (const ParameterPoint<double>& x : exact_interpolation_nodes(set.degree)) {
-    const Frame<Ball> frame = chart.in<Ball>().frame(origin + Ball(x.s) * first + Ball(x.t) * second);
-    points_[at++] = {.at = bounded(frame.point),
-                     .normal = bounded(unit_normal(frame)),
-                     .weight = area * norm(frame.area_normal)};
-  }
+  for (const EnclosedNode& node : enclosed_nodes(chart, triangle, set.degree))
+    points_[at++] = {
+        .at = bounded(node.frame.point), .normal = bounded(unit_normal(node.frame)), .weight = node.weight};
 }
 
 std::vector<EnclosedCouplings::Modes> EnclosedCouplings::moments(Density density,
