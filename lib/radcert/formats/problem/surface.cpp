@@ -83,8 +83,7 @@ std::optional<InputFault> mesh_surface_fault(const std::string& name, const Mesh
         .problem = "was turned by " + nearest_text(survey.degrees_turned, DecimalForm::general(6)) +
                    " degrees by repair align, and a problem's x, y, z are those of its file",
         .allowed = "the file that radcert surface " + name + " --repair align --write FILE.obj writes"};
-  if (survey.needs_front())
-    return InputFault{.source = name, .problem = *obstacle, .allowed = front_allowed};
+  if (survey.needs_front()) return InputFault{.source = name, .problem = *obstacle, .allowed = front_allowed};
   if (!obstacle) return std::nullopt;
   return InputFault{
       .source = name,
