@@ -46,6 +46,16 @@ TEST(GaussMeanErrorFactor, IsNearThatOfChebyshevsPolynomial) {
   }
 }
 
+TEST(GaussMeanErrors, AreTheFactorsOneAfterTheOther) {
+  for (const double rho : {1.02, 1.5, 2.0, 5.0, 50.0, 1e6}) {
+    GaussMeanErrors errors(rho);
+    for (int n = 1; n <= most_gauss_nodes; ++n) {
+      const double factor = gauss_mean_error_factor(n, rho);
+      EXPECT_NEAR(errors.next(), factor, 1e-13 * factor) << n << " " << rho;
+    }
+  }
+}
+
 /// The largest |P_n| of points, as the n-th power of a number.
 double growth(int n, const std::vector<std::complex<double>>& points) {
   double largest = 0;

@@ -26,4 +26,20 @@ namespace radcert {
   return (2 + 2 / (4.0 * n * n - 1)) * std::pow(rho, -2 * n) / (1 - 1 / (rho * rho)) * upward;
 }
 
+/// The same for n = 1, 2, ..., one after the other and without a power, for up to a hundred.
+class GaussMeanErrors {
+public:
+  explicit GaussMeanErrors(double rho) : ratio_(1 / (rho * rho)), power_(1 / (1 - ratio_)) {}
+  double next() {
+    ++nodes_;
+    power_ *= ratio_;
+    return (2 + 2 / (4.0 * nodes_ * nodes_ - 1)) * power_ * upward;
+  }
+
+private:
+  double ratio_;
+  double power_;  ///< rho^(-2n)/(1 - rho^-2)
+  int nodes_ = 0;
+};
+
 }  // namespace radcert

@@ -106,32 +106,46 @@ void PanelSight::Lookout::Distances::put(const PanelSight& sight, std::size_t pa
   const std::vector<Signs>& of_sides = sight.of_sides_[number];
   const double sign = sight.planes_[number].least < 0 ? -1 : 1;
   const double slack = sight.slack_;
-  from_plane.clear();
-  beyond.clear();
-  for (const Vector<double>& p : points) {
+  from_plane.resize(points.size());
+  beyond.resize(points.size() * of_sides.size());
+  Between* at = beyond.data();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector<double>& p = points[i];
     const double d = sign * dot(past.normal, p - past.at);
-    from_plane.push_back({std::max(0.0, d - slack), std::max(0.0, d + slack)});
+    from_plane[i] = {std::max(0.0, d - slack), std::max(0.0, d + slack)};
     for (std::size_t e = 0; e < of_sides.size(); ++e) {
       const double g = dot(past.sides[e].outward, p - past.sides[e].at);
-      beyond.push_back({of_sides[e].least >= 0 ? std::max(0.0, g - slack) : g - slack,
-                        of_sides[e].largest <= 0 ? std::min(0.0, g + slack) : g + slack});
+      *at++ = {of_sides[e].least >= 0 ? std::max(0.0, g - slack) : g - slack,
+               of_sides[e].largest <= 0 ? std::min(0.0, g + slack) : g + slack};
     }
   }
 }
 
-/// The least g_e/|d| over the points, from below; infinite where it bounds nothing, or where there is none.
-double PanelSight::Lookout::Distances::least_slope(std::size_t side) const {
+/// The largest -g_e/|d| over the points, from above: the least number where every alpha has them in front,
+/// infinite where none has.
+double PanelSight::Lookout::Distances::largest_alpha(std::size_t side) const {
   const std::size_t sides = beyond.size() / from_plane.size();
-  double least = infinity;
+  double largest = std::numeric_limits<double>::lowest();
   for (std::size_t p = 0; p < from_plane.size(); ++p) {
     const double g = beyond[p * sides + side].least;
     const double d = g >= 0 ? from_plane[p].largest : from_plane[p].least;
     if (d > 0)
-      least = std::min(least, g >= 0 ? g / d / upward : g / d * upward);
+      largest = std::max(largest, -(g >= 0 ? g / d / upward : g / d * upward));
     else if (g < 0)
-      return -infinity;
+      return infinity;
   }
-  return least;
+  return largest;
+}
+
+/// Whether g_e >= alpha |d| at all points.
+bool PanelSight::Lookout::Distances::are_in_front(std::size_t side, double alpha) const {
+  const std::size_t sides = beyond.size() / from_plane.size();
+  for (std::size_t p = 0; p < from_plane.size(); ++p) {
+    const Between& d = from_plane[p];
+    const double least = alpha > 0 ? alpha * d.largest * upward : alpha * d.least / upward;
+    if (!(beyond[p * sides + side].least >= least)) return false;
+  }
+  return true;
 }
 
 PanelSight::Lookout::Lookout(const PanelSight& sight, std::size_t panel, std::span<const Vector<double>> hull,
@@ -139,33 +153,37 @@ PanelSight::Lookout::Lookout(const PanelSight& sight, std::size_t panel, std::sp
     : sight_(sight), other_(other), without_blockers_(sight.view(panel, other)) {
   if (sight.is_open()) return;
   for (const std::size_t b : sight.pairs_[panel * sight.panels_ + other].blockers) {
-    Past past{.blocker = b, .hull = {}, .slopes = {}};
+    Past past{.blocker = b, .hull = {}, .alphas = {}};
     past.hull.put(sight, panel, b, hull);
     for (std::size_t e = 0; e < sight.blockers_[b].sides.size(); ++e)
-      past.slopes.push_back(past.hull.least_slope(e));
+      past.alphas.push_back(past.hull.largest_alpha(e));
     past_.push_back(std::move(past));
   }
 }
 
-PanelView PanelSight::Lookout::view(std::span<const Vector<double>> points) {
+PanelView PanelSight::Lookout::view(std::span<const Vector<double>> points, MayHide& may_hide) {
   if (past_.empty()) return without_blockers_;
+  constexpr std::size_t bits = 64;
   PanelView found = PanelView::whole;
-  for (const Past& past : past_) {
+  for (std::size_t i = 0; i < past_.size(); ++i) {
+    const MayHide own = i < bits ? MayHide{1} << i : 0;
+    if (own != 0 && (may_hide & own) == 0) continue;
+    const Past& past = past_[i];
     points_.put(sight_, other_, past.blocker, points);
     const PanelView here = view(past);
     if (here == PanelView::none) return PanelView::none;
-    if (here == PanelView::partly) found = PanelView::partly;
+    if (here == PanelView::partly)
+      found = PanelView::partly;
+    else
+      may_hide &= ~own;
   }
   return found;
 }
 
 PanelView PanelSight::Lookout::view(const Past& past) const {
-  const std::size_t sides = past.slopes.size();
-  for (std::size_t e = 0; e < sides; ++e) {
-    const double of_points = points_.least_slope(e);
-    if (past.slopes[e] > -infinity && of_points > -infinity && -past.slopes[e] <= of_points)
-      return PanelView::whole;
-  }
+  const std::size_t sides = past.alphas.size();
+  for (std::size_t e = 0; e < sides; ++e)
+    if (past.alphas[e] < infinity && points_.are_in_front(e, past.alphas[e])) return PanelView::whole;
   const auto is_inside = [&](std::size_t p, std::size_t q, std::size_t e) {
     const double of_p = past.hull.beyond[p * sides + e].largest;
     const double of_q = points_.beyond[q * sides + e].largest;

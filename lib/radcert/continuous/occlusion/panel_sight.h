@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -81,8 +82,17 @@ public:
   Lookout(const PanelSight& sight, std::size_t panel, std::span<const Vector<double>> hull,
           std::size_t other);
 
-  /// The convex hull of points of the other panel.
-  [[nodiscard]] PanelView view(std::span<const Vector<double>> points);
+  /// The blockers that may hide something of a set, a bit each; those beyond 64 always may.
+  using MayHide = std::uint64_t;
+  static constexpr MayHide all = ~MayHide{0};
+
+  /// The convex hull of points of the other panel. Those of the blockers that hide nothing of it are taken out
+  /// of `may_hide`, so that they need not be asked about parts of it.
+  [[nodiscard]] PanelView view(std::span<const Vector<double>> points, MayHide& may_hide);
+  [[nodiscard]] PanelView view(std::span<const Vector<double>> points) {
+    MayHide may_hide = all;
+    return view(points, may_hide);
+  }
 
 private:
   struct Between {
@@ -95,12 +105,13 @@ private:
     std::vector<Between> beyond;  ///< by point, side
     void put(const PanelSight& sight, std::size_t panel, std::size_t blocker,
              std::span<const Vector<double>> points);
-    [[nodiscard]] double least_slope(std::size_t side) const;
+    [[nodiscard]] double largest_alpha(std::size_t side) const;
+    [[nodiscard]] bool are_in_front(std::size_t side, double alpha) const;
   };
   struct Past {
     std::size_t blocker = 0;
     Distances hull;
-    std::vector<double> slopes;  ///< by side
+    std::vector<double> alphas;  ///< by side: the plane d alpha + g_e = 0 has the hull in front of it
   };
   [[nodiscard]] PanelView view(const Past& past) const;
 

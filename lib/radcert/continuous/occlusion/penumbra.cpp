@@ -73,21 +73,27 @@ SeenPanel Penumbra::seen(std::size_t panel, std::span<const Vector<double>> hull
   for (std::size_t e = first_element_[other]; e < first_element_[other + 1]; ++e)
     parts.push_back({e, elements_[e].box});
   if (view == PanelView::whole) return {.whole = std::move(parts), .shaded = {}};
-  return look(panel, hull, other, std::move(parts), least_mass);
+  return look(panel, hull, other, parts, least_mass);
 }
 
 SeenPanel Penumbra::look(std::size_t panel, std::span<const Vector<double>> hull, std::size_t other,
-                         std::vector<PartOfElement> parts, double least_mass) const {
+                         std::span<const PartOfElement> parts, double least_mass) const {
   SeenPanel out;
   const ObserverBall ball = ball_about(hull, scene_.extent());
   const double height = height_above(scene_, other, hull);
   PanelSight::Lookout lookout(scene_.sight(), panel, hull, other);
-  while (!parts.empty()) {
-    const PartOfElement part = parts.back();
-    parts.pop_back();
+  struct Waiting {
+    PartOfElement part;
+    PanelSight::Lookout::MayHide may_hide;
+  };
+  std::vector<Waiting> waiting;
+  for (const PartOfElement& part : parts) waiting.push_back({part, PanelSight::Lookout::all});
+  while (!waiting.empty()) {
+    auto [part, may_hide] = waiting.back();
+    waiting.pop_back();
     const SectorElement& element = elements_[part.element];
     const std::array<Vector<double>, 4> corners = corners_of(scene_.sectors()[element.sector], part.box);
-    const PanelView view = lookout.view(corners);
+    const PanelView view = lookout.view(corners, may_hide);
     if (view == PanelView::none) continue;
     if (view == PanelView::whole) {
       out.whole.push_back(part);
@@ -105,8 +111,8 @@ SeenPanel Penumbra::look(std::size_t panel, std::span<const Vector<double>> hull
       lower.box.s1 = upper.box.s0 = part.box.middle_s();
     else
       lower.box.t1 = upper.box.t0 = part.box.middle_t();
-    parts.push_back(lower);
-    parts.push_back(upper);
+    waiting.push_back({lower, may_hide});
+    waiting.push_back({upper, may_hide});
   }
   return out;
 }
@@ -128,8 +134,7 @@ std::vector<ShadedPart> Penumbra::shaded(std::size_t panel, std::span<const Vect
     const std::size_t other = panel_of(parts.front());
     std::size_t count = 0;
     while (count < parts.size() && panel_of(parts[count]) == other) ++count;
-    const SeenPanel seen = look(
-        panel, hull, other, {parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(count)}, least_mass);
+    const SeenPanel seen = look(panel, hull, other, parts.first(count), least_mass);
     out.insert(out.end(), seen.shaded.begin(), seen.shaded.end());
     parts = parts.subspan(count);
   }

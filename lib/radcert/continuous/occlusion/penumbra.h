@@ -76,7 +76,7 @@ private:
     void add(const Penumbra& of, std::size_t element, const PartOfInterval& in_s, const PartOfInterval& in_t);
   };
   [[nodiscard]] SeenPanel look(std::size_t panel, std::span<const Vector<double>> hull, std::size_t other,
-                               std::vector<PartOfElement> parts, double least_mass) const;
+                               std::span<const PartOfElement> parts, double least_mass) const;
   [[nodiscard]] std::size_t panel_of(const PartOfElement& part) const {
     return scene_.sectors()[elements_[part.element].sector].panel;
   }

@@ -26,13 +26,14 @@ RuleChoice choose_rule(double distance, double half, double part, double height,
                          (1 + jacobian_part * axis) * size_in_ellipse(sizes, ellipse_around(part, axis)) *
                          upward;
     if (!(bound > 0)) return {.nodes = 1, .error = bound == 0 ? 0 : infinity};
-    const double needed =
-        std::log(32.0 / 15 * bound / ((1 - 1 / (rho * rho)) * allowed)) / (2 * std::log(rho));
-    if (!(needed <= most_source_nodes)) continue;
-    const int nodes = std::max(1, static_cast<int>(std::ceil(needed)));
-    const double error = gauss_mean_error_factor(nodes, rho) * bound * upward;
-    if (best.nodes == 0 || nodes < best.nodes || (nodes == best.nodes && error < best.error))
-      best = {nodes, error};
+    const int most = best.nodes == 0 ? most_source_nodes : best.nodes;
+    GaussMeanErrors errors(rho);
+    for (int nodes = 1; nodes <= most; ++nodes) {
+      const double error = errors.next() * bound * upward;
+      if (!(error <= allowed)) continue;
+      if (nodes < most || best.nodes == 0 || error < best.error) best = {nodes, error};
+      break;
+    }
   }
   return best;
 }
