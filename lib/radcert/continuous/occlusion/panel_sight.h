@@ -86,8 +86,8 @@ public:
   using MayHide = std::uint64_t;
   static constexpr MayHide all = ~MayHide{0};
 
-  /// The convex hull of points of the other panel. Those of the blockers that hide nothing of it are taken out
-  /// of `may_hide`, so that they need not be asked about parts of it.
+  /// The convex hull of points of the other panel. Blockers that hide nothing of it are taken out of
+  /// `may_hide`, so that they need not be asked about parts of it.
   [[nodiscard]] PanelView view(std::span<const Vector<double>> points, MayHide& may_hide);
   [[nodiscard]] PanelView view(std::span<const Vector<double>> points) {
     MayHide may_hide = all;
