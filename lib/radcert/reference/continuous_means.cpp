@@ -70,6 +70,17 @@ Polygons l_room() {
   return out;
 }
 
+/// [0,3]^3 about [1,2]^3: the space between them.
+Polygons cube_in_a_cube() {
+  Polygons out = box_sides(3, 3, 3);
+  for (ScenePolygon side : box_sides(1, 1, 1)) {
+    side.piece = "inner_" + side.piece;
+    for (Vector<Rational>& corner : side.corners) corner = corner + Vector<Rational>{1, 1, 1};
+    out.push_back(std::move(side));
+  }
+  return out;
+}
+
 /// rho = 1/2 + x/4 and E = z^2 on an ellipsoid with three different half axes.
 EllipsoidScene ellipsoid_with_linear_rho() {
   return {.half_axes = {1, Rational(13, 10), Rational(17, 10)},
@@ -144,6 +155,12 @@ std::vector<ContinuousScene> made_scenes() {
        .emitting = "east",
        .reflectivity = half,
        .certificates = files("l_room_rho_1_over_2")},
+      {.name = "cube_in_a_cube_rho_1/2",
+       .words = "the cube [0,3]^3 about the cube [1,2]^3, rho = 1/2, the floor of the outer one emits 1",
+       .polygons = cube_in_a_cube(),
+       .emitting = "floor",
+       .reflectivity = half,
+       .certificates = files("cube_in_a_cube_rho_1_over_2")},
       {.name = "ellipsoid_linear_rho",
        .words = ellipsoid_words,
        .ellipsoid = ellipsoid_with_linear_rho(),
@@ -209,6 +226,14 @@ std::vector<ContinuousMean> made_means() {
   add(of_room, "l_room_wall_beside_it_rho_1/2", "the short wall beside it", "inner_south");
   add(of_room, "l_room_wall_behind_the_corner_rho_1/2", "the short wall behind the corner", "inner_east");
   add(of_room, "l_room_hidden_wall_rho_1/2", "the wall at the end of the other arm", "north");
+  const std::string of_cubes = "cube_in_a_cube_rho_1/2";
+  add(of_cubes, "cube_in_a_cube_floor_rho_1/2", "the floor", "floor");
+  add(of_cubes, "cube_in_a_cube_ceiling_rho_1/2", "the ceiling", "ceiling");
+  add(of_cubes, "cube_in_a_cube_wall_rho_1/2", "a wall", "west");
+  add(of_cubes, "cube_in_a_cube_inner_floor_rho_1/2", "the inner cube's face towards the floor", "inner_floor");
+  add(of_cubes, "cube_in_a_cube_inner_ceiling_rho_1/2", "the inner cube's face away from the floor",
+      "inner_ceiling");
+  add(of_cubes, "cube_in_a_cube_inner_wall_rho_1/2", "another face of the inner cube", "inner_west");
   add("ellipsoid_linear_rho", "ellipsoid_linear_rho", "the surface", {});
   const auto add_end = [&](const std::string& name, const std::string& of, const Vector<Rational>& point) {
     out.push_back({.name = "continuous_value_ellipsoid_linear_rho_" + name,
