@@ -230,7 +230,8 @@ std::vector<ContinuousMean> made_means() {
   add(of_cubes, "cube_in_a_cube_floor_rho_1/2", "the floor", "floor");
   add(of_cubes, "cube_in_a_cube_ceiling_rho_1/2", "the ceiling", "ceiling");
   add(of_cubes, "cube_in_a_cube_wall_rho_1/2", "a wall", "west");
-  add(of_cubes, "cube_in_a_cube_inner_floor_rho_1/2", "the inner cube's face towards the floor", "inner_floor");
+  add(of_cubes, "cube_in_a_cube_inner_floor_rho_1/2", "the inner cube's face towards the floor",
+      "inner_floor");
   add(of_cubes, "cube_in_a_cube_inner_ceiling_rho_1/2", "the inner cube's face away from the floor",
       "inner_ceiling");
   add(of_cubes, "cube_in_a_cube_inner_wall_rho_1/2", "another face of the inner cube", "inner_west");
