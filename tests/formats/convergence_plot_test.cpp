@@ -73,7 +73,8 @@ TEST(ConvergencePlot, FitsNoNoise) {
   for (LevelResult& level : given)
     level.uniform_error = Approximation::without_radius(std::max(level.discretisation_error->value, 0.012));
   for (LevelResult& level : given) level.node_error->radius = 1e-3;
-  const PlotCurve& curve = ::radcert::curve(plot_of("t", given), "uniform_error");
+  const Plot plot = plot_of("t", given);
+  const PlotCurve& curve = ::radcert::curve(plot, "uniform_error");
   EXPECT_EQ(curve.points.size(), 5U);
   EXPECT_NEAR(*curve.exponent, 2, 1e-12);
   EXPECT_TRUE(curve.fit.ends_with("from 3 levels")) << curve.fit;
