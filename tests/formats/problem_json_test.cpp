@@ -220,6 +220,13 @@ TEST(ParseProblem, ReadsTheGuarantee) {
         R"({"width": 1, "emissions": "by face"})",
         R"({"width": 1, "emissions": {"a": {"roof": "1", "*": "0"}}})"})
     EXPECT_THROW((void)parse_problem(with("guarantee", text), ""), InputError) << text;
+  const auto of_points = [](int count) {
+    std::string points = R"([0, 0, 0])";
+    for (int i = 1; i < count; ++i) points += ", [0, 0, 0]";
+    return with("guarantee", R"({"width": 1, "of": "values", "points": [)" + points + "]}");
+  };
+  EXPECT_EQ(parse_problem(of_points(1000), "").guarantee->points.size(), 1000U);
+  EXPECT_THROW((void)parse_problem(of_points(1001), ""), InputError);
 }
 
 TEST(ParseProblem, ReadsTheGeometry) {

@@ -32,6 +32,9 @@ std::vector<NamedEmission> read_emissions(const JsonReader& emissions, std::span
   return out;
 }
 
+/// As the schema has it.
+constexpr std::size_t most_points = 1000;
+
 }  // namespace
 
 Guarantee read_guarantee(const JsonReader& guarantee, std::span<const std::string> pieces) {
@@ -47,7 +50,12 @@ Guarantee read_guarantee(const JsonReader& guarantee, std::span<const std::strin
   }
   if (const auto points = guarantee.find("points")) {
     const std::string triple = "three coordinates, each a decimal or fraction in a string";
-    for (const JsonReader& point : points->elements("a list of points")) {
+    const std::vector<JsonReader> listed = points->elements("a list of points");
+    if (listed.size() > most_points)
+      points->refuse(
+          "has " + std::to_string(listed.size()) + " points, each of which asks for functions of its own",
+          "at most " + std::to_string(most_points));
+    for (const JsonReader& point : listed) {
       const std::vector<JsonReader> coordinates = point.elements(triple);
       if (coordinates.size() != 3) point.refuse("is not a point", triple);
       out.points.push_back({coordinates[0].rational(triple), coordinates[1].rational(triple),
