@@ -24,10 +24,6 @@ inline Vector<Rational> point_of(const PolyhedronCertificate& c, std::size_t fac
   return a + (s * (Rational(1) - t)) * (b - a) + t * (centre - a);
 }
 
-inline Vector<Rational> normal_of(const Face& face) {
-  return cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]);
-}
-
 /// T w_k by closed forms, w_k constant on elements.
 inline Ball sent(const PolyhedronCertificate& c, std::size_t k, std::size_t face,
                  const Vector<Rational>& at) {

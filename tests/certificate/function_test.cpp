@@ -23,6 +23,7 @@ namespace radcert::certificate {
 namespace {
 
 using radcert::test::Draw;
+using radcert::test::rounded;
 constexpr std::size_t all = 1U << 30U;
 
 /// sum c_kl P_k(x) P_l(y).
@@ -190,10 +191,6 @@ TEST(VertexMass, GrowsWithTheRadiusAndFallsWithTheDistance) {
     EXPECT_GT(mass(Rational(1, 10), Rational(1, 5)).upper_double(),
               mass(Rational(1, 10), Rational(3, 10)).upper_double());
   }
-}
-
-Vector<double> rounded(const Vector<Rational>& p) {
-  return {p.x.to_double(), p.y.to_double(), p.z.to_double()};
 }
 
 /// A furnace with u = 1, q_0 = 1 - d: w_0 = 1 - d/2, rho t_0 = d/4, and |u - w_0| = d/2 is what follows.
@@ -375,11 +372,13 @@ TEST(CheckOfAFunction, RefusesTinyClaimsAtOnce) {
   }
 }
 
-TEST(CheckOfAFunction, RefusesSurfacesWhosePartsHideEachOther) {
-  const PolyhedronCertificate c = furnace("l_room", 0.25, 1.1);
-  const Report report = check(c, {.elements = 1, .seed = {}});
-  ASSERT_TRUE(report.refusal);
-  EXPECT_EQ(report.refusal->pointer, "/of");
+TEST(CheckOfAFunction, IsSharpPastOccluders) {
+  const Part part{.elements = 6, .seed = "rooms"};
+  for (const std::string name : {"l_room", "cube_in_a_cube"}) {
+    const Report above = check(furnace(name, 0.25, 1.2, true), part);
+    EXPECT_FALSE(above.refusal) << name << text_of(above);
+    EXPECT_TRUE(check(furnace(name, 0.25, 0.999, true), part).refusal) << name;
+  }
 }
 
 }  // namespace

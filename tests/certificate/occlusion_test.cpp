@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where parts hide each other, beside a judge that knows points, segments and the faces one by one.
+// Where parts hide each other, beside the judge of segments.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,12 +18,14 @@
 #include "radcert/closed_form/point_to_polygon.h"
 #include "tests/certificate/bench.h"
 #include "tests/certificate/samples.h"
+#include "tests/certificate/segments.h"
 
 namespace radcert::certificate {
 namespace {
 
 using radcert::test::bare_certificate;
 using radcert::test::Draw;
+using radcert::test::Segments;
 using test::Bench;
 
 const std::array<std::string, 2> rooms{"l_room", "cube_in_a_cube"};
@@ -86,33 +88,6 @@ TEST(SolidFault, SeesFacesThatCross) {
   EXPECT_NE(fault->says.find("both sides"), std::string::npos);
 }
 
-Vector<double> rounded(const Vector<Rational>& p) {
-  return {p.x.to_double(), p.y.to_double(), p.z.to_double()};
-}
-
-/// Whether a segment crosses a face: 1 yes, -1 no, 0 next to a border.
-int crosses(const Face& face, const Vector<double>& p, const Vector<double>& q) {
-  std::vector<Vector<double>> c;
-  for (const Vector<Rational>& corner : face.corners) c.push_back(rounded(corner));
-  const Vector<double> n = cross(c[1] - c[0], c[2] - c[0]);
-  const double a = dot(n, p - c[0]);
-  const double b = dot(n, q - c[0]);
-  constexpr double margin = 1e-9;
-  if (a * b >= 0 || std::min(std::abs(a), std::abs(b)) < margin) return -1;
-  const Vector<double> met = p + (a / (a - b)) * (q - p);
-  double least = 1;
-  for (std::size_t i = 0; i < c.size(); ++i)
-    least = std::min(least, dot(n, cross(c[(i + 1) % c.size()] - c[i], met - c[i])));
-  return least > margin ? 1 : least < -margin ? -1 : 0;
-}
-
-/// The same of all faces.
-int hidden(const PolyhedronCertificate& c, const Vector<double>& p, const Vector<double>& q) {
-  int found = -1;
-  for (const Face& face : c.faces) found = std::max(found, crosses(face, p, q));
-  return found;
-}
-
 Box whole_box(const Element& x) { return {.s0 = x.s0, .s1 = x.s1, .t0 = x.t0, .t1 = x.t1}; }
 
 /// A part of an element, at its borders more often than not.
@@ -157,6 +132,7 @@ TEST(Sight, SaysNothingThatASegmentContradicts) {
   for (const std::string& name : rooms) {
     const Bench bench(bare_certificate(name, 2, 0, 1));
     const PolyhedronCertificate& c = bench.c;
+    const Segments segments(c);
     Draw draw(11);
     std::array<int, 3> counts{};
     for (int n = 0; n < 40; ++n) {
@@ -173,7 +149,7 @@ TEST(Sight, SaysNothingThatASegmentContradicts) {
         ++counts[static_cast<std::size_t>(says + 1)];
         const Vector<double> p =
             point_of(c, e, box.s0 + (box.s1 - box.s0) * draw(), box.t0 + (box.t1 - box.t0) * draw());
-        const int is_hidden = hidden(c, p, point_of(c, y, s, t));
+        const int is_hidden = segments.hidden(p, point_of(c, y, s, t));
         // Seen by all is 1, and so is hidden: they contradict each other where they are equal.
         const bool contradicts = is_hidden != 0 && says == is_hidden;
         EXPECT_FALSE(contradicts) << name << " " << e << " " << y;
@@ -182,6 +158,36 @@ TEST(Sight, SaysNothingThatASegmentContradicts) {
     // Much is seen and much is hidden, and little is left open from small boxes.
     EXPECT_GT(counts[0], 300) << name;
     EXPECT_GT(counts[2], 300) << name;
+    EXPECT_LT(counts[1], counts[0] + counts[2]) << name;
+  }
+}
+
+TEST(Sight, SaysOfOnePartWhatSegmentsSay) {
+  for (const std::string& name : rooms) {
+    const Bench bench(bare_certificate(name, 2, 0, 1));
+    const PolyhedronCertificate& c = bench.c;
+    const Segments segments(c);
+    Draw draw(13);
+    std::array<int, 3> counts{};
+    for (int n = 0; n < 600; ++n) {
+      const std::size_t e = draw.below(c.elements.size());
+      const std::size_t y = draw.below(c.elements.size());
+      if (!bench.sight.face_each_other(c.elements[e].face, c.elements[y].face)) continue;
+      const Box box = drawn_box(c.elements[e], draw, 8);
+      const Box part = drawn_box(c.elements[y], draw, 4);
+      const Seen seen = bench.sight.seen(bench.lines.triangle_place(e), box, {y, part});
+      ++counts[static_cast<std::size_t>(seen)];
+      for (int k = 0; k < 20; ++k) {
+        const auto within = [&](const Box& of, std::size_t element) {
+          return point_of(c, element, of.s0 + (of.s1 - of.s0) * draw(), of.t0 + (of.t1 - of.t0) * draw());
+        };
+        const int is_hidden = segments.hidden(within(box, e), within(part, y));
+        EXPECT_FALSE(seen == Seen::whole && is_hidden == 1) << name << " " << e << " " << y;
+        EXPECT_FALSE(seen == Seen::none && is_hidden == -1) << name << " " << e << " " << y;
+      }
+    }
+    EXPECT_GT(counts[0], 30) << name;
+    EXPECT_GT(counts[2], 100) << name;
     EXPECT_LT(counts[1], counts[0] + counts[2]) << name;
   }
 }
@@ -201,6 +207,7 @@ TEST(Shade, HoldsWhatArrives) {
   for (const std::string& name : rooms) {
     const Bench bench(bare_certificate(name, 2, 1, 7));
     const PolyhedronCertificate& c = bench.c;
+    const Segments segments(c);
     Draw draw(13);
     double largest = 0;
     for (int n = 0; n < 6; ++n) {
@@ -223,7 +230,7 @@ TEST(Shade, HoldsWhatArrives) {
           const double t =
               b.t0 + (b.t1 - b.t0) * (i / parts + 0.5) / parts;  // NOLINT(bugprone-integer-division)
           const Vector<double> q = point_of(c, y, s, t);
-          if (hidden(c, p, q) > 0) continue;
+          if (segments.hidden(p, q) > 0) continue;
           const double area =
               radcert::test::element_area(
                   c,
@@ -325,6 +332,43 @@ PolyhedronCertificate lit_room(double constant) {
   return lit;
 }
 
+/// What a point sees of the shining wall past the corner at (1, 1): all of its height, up to some y.
+TEST(ValuesOf, AreWhatTheCornerLetsThrough) {
+  for (const Vector<Rational>& at :
+       {Vector<Rational>{Rational(3, 4), Rational(6, 5), 0},
+        Vector<Rational>{Rational(3, 5), Rational(6, 5), 1},
+        Vector<Rational>{0, Rational(11, 10), Rational(1, 3)}, Vector<Rational>{Rational(1, 2), 1, 0},
+        Vector<Rational>{Rational(1, 2), Rational(7, 4), 0}}) {
+    PolyhedronCertificate c = lit_room(0);
+    for (std::size_t f = 0; f < c.faces.size(); ++f) {
+      c.points = {{.face = f, .at = at}};
+      if (!points_fault(c)) break;
+    }
+    ASSERT_FALSE(points_fault(c));
+    c.coefficients.resize(c.functions() * c.elements.size() * c.powers() * c.powers());
+    // The ray past the corner meets the wall x = 2 there; nothing is seen of more than the height allows.
+    Rational most = 1;
+    if (at.y > Rational(1))
+      most = std::clamp(at.y + (Rational(1) - at.y) * (Rational(2) - at.x) / (Rational(1) - at.x),
+                        Rational(0), Rational(1));
+    Ball sees;
+    if (most.sign() > 0) {
+      const std::vector<Vector<Rational>> wall{{2, 0, 0}, {2, 0, 1}, {2, most, 1}, {2, most, 0}};
+      sees = point_to_polygon(at, normal_of(c.faces[c.points[0].face]), plane_polygon(wall).value(),
+                              constant_polynomial(Rational(1))) /
+             Ball::pi();
+    }
+    const Ball half = sees / 2;
+    for (const double radius : {1e-3, 1e-9}) {
+      const Ball value = values_of(c, {.norms = {0, 0}, .products = {0}, .radii = {radius}}, Ball(1)).at(0);
+      EXPECT_TRUE(overlaps(value, half))
+          << at.x.to_text() << " " << at.y.to_text() << " " << value.to_text(12) << " " << half.to_text(12);
+      EXPECT_GE(value.radius(), 0.5 * radius);
+      EXPECT_LE(value.radius(), std::max(0.55 * radius, 3e-5));
+    }
+  }
+}
+
 /// What points see of the shining wall, by the judge at many points. Shade is a
 /// good part of what is not known, and in one of both signs it leaves out some of the norm.
 TEST(Occlusion, OfElementsEnclosesWhatPointsSee) {
@@ -337,6 +381,7 @@ TEST(Occlusion, OfElementsEnclosesWhatPointsSee) {
   for (const double constant : {1.0, -1.0}) {
     const Bench bench(lit_room(constant));
     const PolyhedronCertificate& c = bench.c;
+    const Segments segments(c);
     std::size_t wall = 0;
     while (c.faces[wall].piece != 4) ++wall;
     for (std::size_t e = 0; e < c.elements.size() && constant > 0 && judged.size() < 12; ++e) {
@@ -360,7 +405,7 @@ TEST(Occlusion, OfElementsEnclosesWhatPointsSee) {
         // The wall x = 2, 0 <= y, z <= 1.
         for (int m = 0; m < parts * parts; ++m) {
           const Vector<double> q{2, (m % parts + 0.5) / parts, (std::floor(1.0 * m / parts) + 0.5) / parts};
-          if (hidden(c, p, q) <= 0) sees += kernel(c, x.face, p, wall, q) / (parts * parts);
+          if (segments.hidden(p, q) <= 0) sees += kernel(c, x.face, p, wall, q) / (parts * parts);
         }
         weights += 1 - t;
         sum += (1 - t) * sees;
@@ -368,7 +413,7 @@ TEST(Occlusion, OfElementsEnclosesWhatPointsSee) {
       }
       judged.push_back({e, sum / weights, squares / weights});
     }
-    const PointKernels kernels(c, bench.scene, bench.densities);
+    const PointKernels kernels(c, bench.scene, bench.densities, bench.sight);
     const ElementCheck elements(c, bench.scene, bench.densities, bench.lines, bench.transport, kernels,
                                 bench.sight, bench.shades);
     const double unit = std::ldexp(1.0, -bench.densities.exponent());
@@ -391,6 +436,93 @@ TEST(Occlusion, OfElementsEnclosesWhatPointsSee) {
     }
   }
   EXPECT_GE(judged.size(), 8U);
+}
+
+/// Norms of V j_1 - q_1, q_1 = 0 and T w_1 = 0: near the truth where the point sees all of an element or
+/// nothing, and not below it where it sees a part, however large the cells.
+TEST(Occlusion, OfPointsIsThatOfTheirKernels) {
+  std::array<int, 3> tried{};
+  for (const std::string& name : rooms) {
+    const Bench bench(radcert::test::furnace_value_certificate(name, 0.25, 1.1, 0.02));
+    const PolyhedronCertificate& c = bench.c;
+    const PointKernels kernels(c, bench.scene, bench.densities, bench.sight);
+    const ElementCheck elements(c, bench.scene, bench.densities, bench.lines, bench.transport, kernels,
+                                bench.sight, bench.shades);
+    const double unit = std::ldexp(1.0, bench.scene.exponent() + bench.densities.exponent(1));
+    std::array<int, 3> in_room{};
+    for (std::size_t e = 0; e < c.elements.size(); ++e) {
+      const Element& x = c.elements[e];
+      if (bench.scene.coplanar(x.face, c.points[0].face)) continue;
+      const Seen seen = kernels.seen({e, whole_box(x)})[0];
+      const double norm = radcert::test::kernel_norm(c, c.points[0], x) * std::sqrt(0.5);
+      if (seen == Seen::partly) {
+        // Rules leave little, and there is room for all of the kernel: it is not why the element is cut.
+        const double root = std::sqrt(0.5 * radcert::test::element_area(c, x));
+        const double most = root * kernels.size(0, bench.lines.triangle_place(e), whole_box(x)) /
+                            std::ldexp(1.0, bench.scene.exponent());
+        if (norm < 0.6 * unit * most) continue;
+        const double found = unit * elements.bounds(e, {.norm = 0.05 * most, .norm_room = {1, 400}}).norms[1];
+        EXPECT_GE(found, 0.95 * norm) << name << " " << e;
+        EXPECT_LE(found, 2.2 * norm) << name << " " << e;
+        ++tried[1];
+        continue;
+      }
+      if (++in_room[static_cast<std::size_t>(seen)] > 2) continue;
+      ++tried[static_cast<std::size_t>(seen)];
+      constexpr double left = 1e-3;
+      const double found = unit * elements.bounds(e, {.norm = left / unit}).norms[1];
+      EXPECT_GE(found, norm) << name << " " << e;
+      EXPECT_LE(found, norm + 1.1 * left) << name << " " << e;
+    }
+  }
+  EXPECT_GE(tried[0], 2);
+  EXPECT_GE(tried[1], 3);
+  EXPECT_GE(tried[2], 2);
+}
+
+/// Of a function: no bound of |t_0| is below what points have, none is far above.
+TEST(Occlusion, OfAFunctionEnclosesWhatPointsSee) {
+  PolyhedronCertificate c = lit_room(1);
+  c.by_distance = {{.outside = 0, .sup = 1}};
+  c.coefficients.resize(c.elements.size() * c.powers() * c.powers());
+  const Bench bench(c);
+  const Segments segments(c);
+  const PointKernels kernels(c, bench.scene, bench.densities, bench.sight);
+  const ElementCheck elements(c, bench.scene, bench.densities, bench.lines, bench.transport, kernels,
+                              bench.sight, bench.shades);
+  std::size_t wall = 0;
+  while (c.faces[wall].piece != 4) ++wall;
+  int tried = 0;
+  double nearest = 0;
+  for (std::size_t e = 0; e < c.elements.size() && tried < 8; ++e) {
+    const Element& x = c.elements[e];
+    if (x.t0 == 0 || x.face == wall) continue;
+    const View view = bench.sight.view(bench.lines.triangle_place(e), whole_box(x), 1e-3);
+    if (view.shaded.empty()) continue;
+    ++tried;
+    double most = 0;
+    for (int n = 0; n < 25; ++n) {
+      const Vector<double> p =
+          point_of(c, e, x.s0 + (x.s1 - x.s0) * (n % 5) / 4, x.t0 + (x.t1 - x.t0) * std::floor(n / 5.0) / 4);
+      double sees = 0;
+      constexpr int parts = 40;
+      for (int m = 0; m < parts * parts; ++m) {
+        const Vector<double> q{2, (m % parts + 0.5) / parts, (std::floor(1.0 * m / parts) + 0.5) / parts};
+        if (segments.hidden(p, q) <= 0) sees += kernel(c, x.face, p, wall, q) / (parts * parts);
+      }
+      // T w_0 = F + (1 - F)/2, q_0 = 1, rho = 1/2.
+      most = std::max(most, 0.5 * std::abs(0.5 * sees - 0.5));
+    }
+    const double unit = std::ldexp(1.0, bench.densities.exponent());
+    const ResidualBounds found = elements.bounds(e, {.largest = 0.05 / unit, .claim = 0});
+    EXPECT_GE(found.largest * unit, most - 2e-3) << e;
+    EXPECT_LE(found.largest * unit, most + 0.095) << e;
+    const double inside = elements.residual_inside(e, 1e-6) * unit;
+    EXPECT_LE(inside, most + 2e-3) << e;
+    nearest = std::max(nearest, inside / most);
+  }
+  EXPECT_EQ(tried, 8);
+  EXPECT_GT(nearest, 0.8);
 }
 
 }  // namespace

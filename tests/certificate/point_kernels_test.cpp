@@ -18,12 +18,14 @@ struct Kernels {
   PolyhedronCertificate c;
   Scene scene;
   Densities densities;
+  Sight sight;
   PointKernels kernels;
   explicit Kernels(const std::string& surface)
       : c(test::furnace_value_certificate(surface, 0.25, 1.2, 0.02)),
         scene(c),
         densities(c),
-        kernels(c, scene, densities) {}
+        sight(c, scene),
+        kernels(c, scene, densities, sight) {}
 
   [[nodiscard]] std::size_t triangle(const Element& x) const { return scene.triangle(x.face, x.side); }
   [[nodiscard]] double value(const Element& x, double s, double t) const {
@@ -54,7 +56,8 @@ TEST(PointKernels, HaveTheirSizeOnBoxes) {
   for (const std::string name : {"tetrahedron", "cube", "octahedron"}) {
     const Kernels of(name);
     for (const Element& x : of.c.elements) {
-      const double size = of.kernels.size(of.triangle(x), {.s0 = x.s0, .s1 = x.s1, .t0 = x.t0, .t1 = x.t1});
+      const double size =
+          of.kernels.size(0, of.triangle(x), {.s0 = x.s0, .s1 = x.s1, .t0 = x.t0, .t1 = x.t1});
       if (x.face == of.c.points[0].face) {
         EXPECT_EQ(size, 0);
         continue;
@@ -79,8 +82,9 @@ TEST(PointKernels, BoundWhatPolynomialsLeave) {
     for (const Element& x : of.c.elements) {
       if (x.face == of.c.points[0].face) continue;
       const Box box{.s0 = x.s0, .s1 = x.s1, .t0 = x.t0, .t1 = x.t1};
+      const std::vector<Seen> seen(1, Seen::whole);
       for (const bool in_s : {true, false}) {
-        const PolynomialErrors left = of.kernels.left(of.triangle(x), box, in_s);
+        const PolynomialErrors left = of.kernels.left(of.triangle(x), box, in_s, seen);
         for (const double other : {-1.0, 0.0, 0.7}) {
           const double s = box.middle_s() + 0.5 * (x.s1 - x.s0) * other;
           const double t = box.middle_t() + 0.5 * (x.t1 - x.t0) * other;
@@ -151,6 +155,36 @@ TEST(PointKernels, AreOfPointsInsideTheirFacesAlone) {
     c.points[0].at = wrong;
     EXPECT_TRUE(points_fault(c));
   }
+}
+
+/// Faces of a room are cut: on lines and at corners of parts that have others all about them points are
+/// inside, on edges and at the corners of the room they are not.
+TEST(PointKernels, AreOfPointsBetweenFacesOfOnePlane) {
+  PolyhedronCertificate c = test::bare_certificate("cube_in_a_cube", 2, 0, 1);
+  const auto is_on = [](const Face& face) {
+    return std::all_of(face.corners.begin(), face.corners.end(),
+                       [](const Vector<Rational>& p) { return p.z.sign() == 0; });
+  };
+  const Rational half(1, 2);
+  const Rational third(4, 3);
+  const auto is_inside = [&](const Rational& x, const Rational& y) {
+    int found = 0;
+    for (std::size_t f = 0; f < c.faces.size(); ++f) {
+      if (!is_on(c.faces[f])) continue;
+      c.points = {{.face = f, .at = {x, y, 0}}};
+      if (!points_fault(c)) ++found;
+    }
+    return found;
+  };
+  EXPECT_EQ(is_inside(half, third), 1);
+  EXPECT_EQ(is_inside(1, third), 2);
+  EXPECT_EQ(is_inside(half, 2), 2);
+  EXPECT_EQ(is_inside(1, 2), 4);
+  for (const Rational& other : {half, Rational(1), Rational(3)}) {
+    EXPECT_EQ(is_inside(0, other), 0);
+    EXPECT_EQ(is_inside(other, 3), 0);
+  }
+  EXPECT_EQ(is_inside(4, 1), 0);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "radcert/continuous/goal_enclosure.h"
 #include "radcert/continuous/polyhedron_problem.h"
 #include "radcert/study/guarantee/polyhedron_certificate.h"
+#include "tests/certificate/segments.h"
 #include "tests/continuous/rooms.h"
 #include "tests/continuous/scenes.h"
 
@@ -134,22 +135,23 @@ inline Vector<double> unit_normal(const certificate::PolyhedronCertificate& c, s
   return {n.x.to_double() / size, n.y.to_double() / size, n.z.to_double() / size};
 }
 
-/// G(P,Q)/pi for P of one face and Q of another, by their exact corners.
+/// G(P,Q)/pi for P of one face and Q of another, by their exact corners; 0 behind either.
 inline double point_kernel(const certificate::PolyhedronCertificate& c, const certificate::Point& point,
                            std::size_t face, const Vector<double>& q) {
-  const Vector<double> way =
-      q - Vector<double>{point.at.x.to_double(), point.at.y.to_double(), point.at.z.to_double()};
+  const Vector<double> way = q - rounded(point.at);
+  const double before = dot(unit_normal(c, point.face), way);
+  const double behind = -dot(unit_normal(c, face), way);
+  if (before <= 0 || behind <= 0) return 0;
   const double squared = dot(way, way);
-  return -dot(unit_normal(c, point.face), way) * dot(unit_normal(c, face), way) /
-         (squared * squared * 3.14159265358979323846);
+  return before * behind / (squared * squared * 3.14159265358979323846);
 }
 
-/// The same at Q = m + z e.
+/// G(P,Q)/pi at Q = m + z e.
 inline std::complex<double> point_kernel(const certificate::PolyhedronCertificate& c,
                                          const certificate::Point& point, std::size_t face,
                                          const Vector<double>& m, const Vector<double>& e,
                                          const std::complex<double>& z) {
-  const Vector<double> p{point.at.x.to_double(), point.at.y.to_double(), point.at.z.to_double()};
+  const Vector<double> p = rounded(point.at);
   const auto along = [&](const Vector<double>& v) { return dot(v, m - p) + z * dot(v, e); };
   const std::complex<double> squared = dot(m - p, m - p) + 2.0 * z * dot(m - p, e) + z * z * dot(e, e);
   return -along(unit_normal(c, point.face)) * along(unit_normal(c, face)) /
@@ -162,19 +164,17 @@ inline Vector<double> element_point(const certificate::PolyhedronCertificate& c,
   const std::vector<Vector<Rational>>& p = c.faces[x.face].corners;
   Vector<Rational> sum;
   for (const Vector<Rational>& corner : p) sum = sum + corner;
-  const auto rounded = [](const Vector<Rational>& v) {
-    return Vector<double>{v.x.to_double(), v.y.to_double(), v.z.to_double()};
-  };
   const Vector<double> a = rounded(p[x.side]);
   const Vector<double> b = rounded(p[(x.side + 1) % p.size()]);
   const Vector<double> centre = rounded(Rational(1, static_cast<long>(p.size())) * sum);
   return (1 - t) * ((1 - s) * a + s * b) + t * centre;
 }
 
-/// (Int_X (j - less)^2)^(1/2), j = G(P,.)/pi, by 16 x 16 nodes.
+/// (Int_X (j - less)^2)^(1/2), j = V G(P,.)/pi, by 16 x 16 nodes.
 inline double kernel_norm(const certificate::PolyhedronCertificate& c, const certificate::Point& point,
                           const certificate::Element& x, double less = 0) {
   const certificate::GaussRule& rule = certificate::gauss_rule(16);
+  const Segments segments(c);
   double sum = 0;
   double whole = 0;
   for (std::size_t m = 0; m < 16; ++m)
@@ -182,8 +182,10 @@ inline double kernel_norm(const certificate::PolyhedronCertificate& c, const cer
       const double t = 0.5 * (x.t0 + x.t1) + 0.5 * (x.t1 - x.t0) * rule.near_nodes[l];
       const double s = 0.5 * (x.s0 + x.s1) + 0.5 * (x.s1 - x.s0) * rule.near_nodes[m];
       const double weight = rule.near_weights[m] * rule.near_weights[l] * (1 - t);
-      const double j = point_kernel(c, point, x.face, element_point(c, x, s, t)) - less;
-      sum += weight * j * j;
+      const Vector<double> q = element_point(c, x, s, t);
+      double j = point_kernel(c, point, x.face, q);
+      if (j > 0 && segments.hidden(rounded(point.at), q) > 0) j = 0;
+      sum += weight * (j - less) * (j - less);
       whole += weight;
     }
   return std::sqrt(sum / whole * element_area(c, x));
@@ -191,8 +193,8 @@ inline double kernel_norm(const certificate::PolyhedronCertificate& c, const cer
 
 /// A certificate of the value of u = 1 in a furnace, whose residuals are known.
 /// Maths     rho = E = 1/2, q_0 = 1 - d: w_0 = 1 - d/2, t_0 = d/2. q_1 = 0: w_1 = 0 and t_1 = j. Claims on an
-///           element X: norms slack d/2 (|X|/2)^(1/2) and slack (Int_X j^2/2)^(1/2), on the point's own face,
-///           where j is 0, 0.01; Int w_1 t_0 = 0, within room |X|
+///           element X: norms slack d/2 (|X|/2)^(1/2) and slack (Int_X j^2/2)^(1/2), 0.01 where j is 0; Int
+///           w_1 t_0 = 0, within room |X|
 inline certificate::PolyhedronCertificate furnace_value_certificate(const std::string& surface, double d,
                                                                     double slack, double room) {
   certificate::PolyhedronCertificate c = bare_certificate(surface, 2, 0, 1);
@@ -205,8 +207,8 @@ inline certificate::PolyhedronCertificate furnace_value_certificate(const std::s
   std::fill_n(c.coefficients.begin(), c.elements.size(), 1 - d);
   for (const certificate::Element& x : c.elements) {
     const double area = element_area(c, x);
-    const bool own = x.face == c.points[0].face;
-    const double of_kernel = own ? 0.01 : slack * kernel_norm(c, c.points[0], x) * std::sqrt(0.5);
+    const double norm = x.face == c.points[0].face ? 0 : kernel_norm(c, c.points[0], x);
+    const double of_kernel = norm > 0 ? slack * norm * std::sqrt(0.5) : 0.01;
     c.claims.push_back({.norms = {slack * 0.5 * d * std::sqrt(area / 2), of_kernel},
                         .products = {0},
                         .radii = {room * area}});

@@ -66,7 +66,7 @@ Answer thin_box() {
 /// What is proved of the residuals of a furnace around a corner, on an element that sees parts in part.
 Answer residuals_around_a_corner() {
   const certificate::test::Bench bench(test::furnace_certificate("l_room", 0x1p-7, 0.25, 2, 0.05));
-  const certificate::PointKernels kernels(bench.c, bench.scene, bench.densities);
+  const certificate::PointKernels kernels(bench.c, bench.scene, bench.densities, bench.sight);
   const certificate::ElementCheck elements(bench.c, bench.scene, bench.densities, bench.lines,
                                            bench.transport, kernels, bench.sight, bench.shades);
   std::vector<Ball> found;

@@ -13,7 +13,6 @@
 #include "radcert/certificate/line_bounds.h"
 #include "radcert/certificate/occlusion/shade.h"
 #include "radcert/certificate/occlusion/sight.h"
-#include "radcert/certificate/occlusion/solid_facts.h"
 #include "radcert/certificate/point_kernels.h"
 #include "radcert/certificate/polyhedron_facts.h"
 #include "radcert/certificate/scene.h"
@@ -173,12 +172,6 @@ Allowance allowance_of(const PolyhedronCertificate& c, const Densities& densitie
   return out;
 }
 
-/// Values and functions are certified where every face sees all others.
-std::optional<Refusal> occlusion_fault(const PolyhedronCertificate& c) {
-  if ((!c.of_values() && !c.of_function()) || is_convex(c)) return std::nullopt;
-  return Refusal{"/of", "is not means, and parts of the surface hide each other"};
-}
-
 /// Whether something is claimed to be 0, or so near to it, that no rounded computation could prove it.
 std::optional<Refusal> zero_fault(const PolyhedronCertificate& c, const Scene& scene,
                                   const Densities& densities, std::size_t element) {
@@ -213,7 +206,8 @@ std::optional<Refusal> element_fault(const PolyhedronCertificate& c, const Scene
   std::vector<Share> shares = is_open ? std::vector<Share>{{0.07, 0.5}, {0.007, 0.05}}
                                       : std::vector<Share>{{0.4, 0.7}, {0.2, 0.5}, {0.07, 0.3}};
   if (c.of_function()) {
-    shares = {{0.15, 0}, {0.05, 0}, {0.015, 0}};
+    shares = is_open ? std::vector<Share>{{0.15, 0}, {0.05, 0}, {0.015, 0}}
+                     : std::vector<Share>{{0.4, 0}, {0.15, 0}, {0.05, 0}};
     const double claimed = allowance_of(c, densities, element, scene.exponent(), {1, 1}).claim;
     // A claim that is false by much is not worth the search for cells.
     ResidualBounds inside;
@@ -277,8 +271,7 @@ Summed summed(const PolyhedronCertificate& c) {
 
 Report check(const PolyhedronCertificate& c, const Part& part, const CheckListener& progress) {
   Report report;
-  for (const auto& fault :
-       {&surface_fault, &occlusion_fault, &reflectivity_fault, &points_fault, &tiling_fault, &sums_fault}) {
+  for (const auto& fault : {&surface_fault, &reflectivity_fault, &points_fault, &tiling_fault, &sums_fault}) {
     report.refusal = fault(c);
     if (report.refusal) return report;
   }
@@ -289,8 +282,8 @@ Report check(const PolyhedronCertificate& c, const Part& part, const CheckListen
     if (report.refusal = zero_fault(c, scene, densities, element); report.refusal) return report;
   const LineBounds lines(c, scene, densities);
   const BallTransport transport(c, scene, densities, lines);
-  const PointKernels kernels(c, scene, densities);
   const Sight sight(c, scene);
+  const PointKernels kernels(c, scene, densities, sight);
   const Shades shades(c, densities);
   const ElementCheck elements(c, scene, densities, lines, transport, kernels, sight, shades);
   report.refusal = first_fault(

@@ -14,7 +14,7 @@ namespace radcert::certificate {
 ///           rho^(1/2) T rho^(1/2) is self-adjoint in L2 and not longer than s = max rho, by Schur's test
 ///           with T >= 0 symmetric and T 1 = 1. u - w_0 = (I - rho T)^-1 rho t_0, so that with j = 1 on piece
 ///           k, y = j + q_k: Int j (u - w_0) = (rho^(1/2) j, (I-B)^-1 rho^(1/2) t_0) and (I-B)^-1 rho^(1/2) j
-///           = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k; w_k = rho y. Values: with j = G(P,.)/pi and y = q_k,
+///           = rho^(1/2) y + (I-B)^-1 rho^(1/2) t_k; w_k = rho y. Values: with j = V G(P,.)/pi and y = q_k,
 ///           (I-B) rho^(1/2) y = rho^(1/2) (j - t_k), t_k = T w_k + j - y, and u(P) = E + rho Int j u at P
 /// Requires  surface_fault, reflectivity_fault, points_fault, tiling_fault found nothing
 /// Result    sums rounded outwards; the mean's radius bounds everything
@@ -25,10 +25,9 @@ struct Summed {
 [[nodiscard]] Summed summed(const PolyhedronCertificate& certificate);
 
 /// Checks a certificate, by means that share no function with the search that made it.
-/// Maths     surface_fault, reflectivity_fault, points_fault, tiling_fault, and values and functions are of
-///           surfaces without a face behind another one; of the elements that are looked at, the claims by
-///           ElementCheck; the stated sums are those of the claims or wider, the means or values those of
-///           summed or wider, the width is no less than twice the largest radius; of a function
+/// Maths     surface_fault, reflectivity_fault, points_fault, tiling_fault; of the elements that are looked
+///           at, the claims by ElementCheck; the stated sums are those of the claims or wider, the means or
+///           values those of summed or wider, the width is no less than twice the largest radius; of a function
 ///           function_fault. All claims together prove the means, values or bounds. Where parts hide each
 ///           other T w is enclosed on cells of elements from what all points of a cell see for certain
 ///           (Sight); what some of them may not see is closed by T 1 = 1 with constants near w there, and

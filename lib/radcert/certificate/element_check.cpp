@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "radcert/certificate/cell_supremum.h"
@@ -29,11 +30,12 @@ struct ElementCheck::Cell {
   int nodes_s = 0;  ///< 0: not looked into
   int nodes_t = 0;
   std::optional<EdgeClosing> closing = std::nullopt;
-  double norm_left = 0;     ///< sup-like: times |X|^(1/2)
-  double product_left = 0;  ///< times |X| sup|w_k|
-  double largest_left = 0;  ///< of sup |t_0|
-  double least_mass = 0;    ///< of its view
-  Shade shade = {};         ///< nothing where every face sees all others
+  double norm_left = 0;         ///< sup-like: times |X|^(1/2)
+  double product_left = 0;      ///< times |X| sup|w_k|
+  double largest_left = 0;      ///< of sup |t_0|
+  double least_mass = 0;        ///< of its view
+  Shade shade = {};             ///< with half of kernels that are seen in part
+  std::vector<Seen> seen = {};  ///< from the points of values
 };
 
 struct ElementCheck::Plan {
@@ -54,7 +56,9 @@ public:
         sight_(check.sight_),
         shades_(check.shades_),
         allowance_(allowance),
+        elements_(check.certificate_.elements),
         element_(element),
+        place_(check.lines_.triangle_place(element)),
         triangle_(check.lines_.triangle(element)),
         norm_(norm),
         product_(product),
@@ -95,14 +99,38 @@ private:
     return shade.radii.empty() ? 0 : shade_density_ * shade.radii[0] * upward;
   }
   [[nodiscard]] bool is_small(const Box& box, const Shade& shade) const {
-    return root(box) * of_norm(shade) <= 0.5 * norm_ && area(box) * of_product(shade) <= 0.5 * product_;
+    return root(box) * of_norm(shade) <= 0.5 * norm_ && area(box) * of_product(shade) <= 0.5 * product_ &&
+           rho_ * shade.radii[0] <= 0.5 * allowance_.largest;
   }
   /// Shaded parts that send no more than this are not worth being halved.
   [[nodiscard]] double least_mass(const Box& box) const {
     constexpr double share = 0.005;
     const double size = densities_.largest();
     return std::min({1e-3, share * norm_ / (root(box) * size),
-                     share * product_ / (area(box) * std::max(shade_density_, 1e-6) * size)});
+                     share * product_ / (area(box) * std::max(shade_density_, 1e-6) * size),
+                     share * allowance_.largest / (rho_ * size)});
+  }
+  /// sup of all V j_k.
+  [[nodiscard]] double largest_kernel(const Box& box, std::span<const Seen> seen) const {
+    double most = 0;
+    for (std::size_t k = 0; k < seen.size(); ++k)
+      if (seen[k] != Seen::none) most = std::max(most, kernels_.size(k, place_, box));
+    return most;
+  }
+  /// Counts with the shade how far V j_k may be from half of G/pi.
+  void put_kernels(const Box& box, std::span<const Seen> seen, Shade& shade) const {
+    for (std::size_t k = 0; k < seen.size(); ++k)
+      if (seen[k] == Seen::partly) {
+        double& radius = shade.radii[1 + k];
+        radius = (radius + 0.5 * kernels_.size(k, place_, box)) * upward;
+      }
+  }
+  /// xi of a closing takes the place of constants.
+  [[nodiscard]] Shade shade_at_edge(const Box& box, const View& view, const EdgeClosing& closing) const {
+    if (!closing.at) return shades_.at_edge(view.shaded, closing.element, 1 - box.s1, 1 - box.s0);
+    const Element& beyond = elements_[closing.element];
+    const double end = closing.at->value() < 0 ? beyond.s0 : beyond.s1;
+    return shades_.at_edge(view.shaded, closing.element, end, end);
   }
 
   void accept(Cell cell) {
@@ -170,7 +198,7 @@ private:
   }
 
   bool try_rules(const Box& box, const PolynomialErrors& in_s, const PolynomialErrors& in_t,
-                 std::optional<EdgeClosing> closing, const Shade& shade) {
+                 std::optional<EdgeClosing> closing, const Shade& shade, const std::vector<Seen>& seen) {
     const int of_s = nodes(in_s, box, true);
     const int of_t = nodes_t(in_t, box, of_s);
     if (of_s == 0 || of_t == 0) return false;
@@ -188,22 +216,24 @@ private:
                              interpolation_norm(of_s) * (1 + interpolation_norm(of_t)) * e_t + beside) *
                             upward,
             .least_mass = least_mass(box),
-            .shade = shade});
+            .shade = shade,
+            .seen = seen});
     return true;
   }
 
   /// What polynomials leave of T w, or of F, and of the kernels of points.
   [[nodiscard]] PolynomialErrors left(const Box& box, bool in_s, const EdgeClosing* closing, const View& view,
-                                      const Shade& shade) const {
+                                      const Shade& shade, std::span<const Seen> seen) const {
     PolynomialErrors out = lines_.left(element_, box, in_s, closing, &view, shade.largest_constant);
     if (kernels_.count() == 0) return out;
-    const PolynomialErrors more = kernels_.left(lines_.triangle_place(element_), box, in_s);
+    const PolynomialErrors more = kernels_.left(place_, box, in_s, seen);
     for (std::size_t n = 0; n < out.size(); ++n) out[n] = (out[n] + more[n]) * upward;
     return out;
   }
 
   void add(const Box& box, int depth) {
-    const double residual = (residual_ + kernels_.size(lines_.triangle_place(element_), box)) * upward;
+    const std::vector<Seen> seen = kernels_.seen({element_, box});
+    const double residual = (residual_ + largest_kernel(box, seen)) * upward;
     // At a vertex no smaller box has a smaller largest residual.
     const bool is_at_vertex = is_of_function_ && box.t0 == 0 && (box.s0 == 0 || box.s1 == 1);
     if (is_negligible(box, residual) || is_at_vertex || depth >= deepest ||
@@ -211,40 +241,45 @@ private:
       accept({.box = box, .norm_left = residual, .product_left = residual, .largest_left = residual});
       return;
     }
-    const View view = sight_.view(lines_.triangle_place(element_), box, least_mass(box));
+    const View view = sight_.view(place_, box, least_mass(box));
     const double length = (box.s1 - box.s0) * triangle_.length;
     const double height = (box.t1 - box.t0) * norm(triangle_.inward - box.middle_s() * triangle_.along);
-    if (box.t0 == 0 && (has_closing_ || sight_.is_open())) {
+    if (box.t0 == 0 && has_closing_) {
       bool cuts_s = false;
-      if (has_closing_) {
-        std::optional<EdgeClosing> closing = closing_of(box);
-        if (closing) {
-          const Shade shade = shades_.at_edge(view.shaded, closing->element, 1 - box.s1, 1 - box.s0);
-          if (is_small(box, shade)) {
-            const PolynomialErrors in_s = left(box, true, &*closing, view, shade);
-            const PolynomialErrors in_t = left(box, false, &*closing, view, shade);
-            if (try_rules(box, in_s, in_t, closing, shade)) return;
-            const int of_s = nodes(in_s, box, true);
-            cuts_s = of_s == 0 && nodes_t(in_t, box, of_s) != 0;
-          } else {
-            cuts_s = length >= height;
-          }
+      std::optional<EdgeClosing> closing = closing_of(box);
+      if (closing) {
+        Shade shade = shade_at_edge(box, view, *closing);
+        put_kernels(box, seen, shade);
+        if (is_small(box, shade)) {
+          const PolynomialErrors in_s = left(box, true, &*closing, view, shade, seen);
+          const PolynomialErrors in_t = left(box, false, &*closing, view, shade, seen);
+          if (try_rules(box, in_s, in_t, closing, shade, seen)) return;
+          const int of_s = nodes(in_s, box, true);
+          cuts_s = of_s == 0 && nodes_t(in_t, box, of_s) != 0;
         } else {
-          cuts_s = would_close_if_short(box);
+          cuts_s = length >= height;
         }
+      } else {
+        cuts_s = would_close_if_short(box);
       }
       cut(box, cuts_s, cuts_s ? box.middle_s() : box.t1 / 4, depth);
       return;
     }
-    const Shade shade = shades_.of(view.shaded);
+    Shade shade = shades_.of(view.shaded);
+    put_kernels(box, seen, shade);
     if (!is_small(box, shade)) {
       const bool cuts_s = length >= height;
       cut(box, cuts_s, cuts_s ? box.middle_s() : box.middle_t(), depth);
       return;
     }
-    const PolynomialErrors in_s = left(box, true, nullptr, view, shade);
-    const PolynomialErrors in_t = left(box, false, nullptr, view, shade);
-    if (try_rules(box, in_s, in_t, std::nullopt, shade)) return;
+    const PolynomialErrors in_s = left(box, true, nullptr, view, shade, seen);
+    const PolynomialErrors in_t = left(box, false, nullptr, view, shade, seen);
+    if (try_rules(box, in_s, in_t, std::nullopt, shade, seen)) return;
+    // An edge whose sides have not the same ends, other than one between faces of one plane.
+    if (box.t0 == 0 && !std::isfinite(in_t.back())) {
+      cut(box, false, box.t1 / 4, depth);
+      return;
+    }
     const int of_s = nodes(in_s, box, true);
     const bool lacks_s = of_s == 0;
     const bool lacks_t = nodes_t(in_t, box, of_s) == 0;
@@ -269,7 +304,9 @@ private:
   const Sight& sight_;
   const Shades& shades_;
   const Allowance& allowance_;
+  const std::vector<Element>& elements_;
   std::size_t element_;
+  std::size_t place_;  ///< of its triangle
   const SideTriangle& triangle_;
   double norm_;
   double product_;
@@ -437,8 +474,12 @@ void ElementCheck::add_cell(std::size_t element, const Cell& cell, const Allowan
       const double weight = triangle.jacobian * half_s * half_t * (1 - at_t[j].value()) *
                             rule_s.near_weights[i] * rule_t.near_weights[j];
       const double weight_error = 64 * unit + 2 * at_t[j].error() / (1 - at_t[j].value());
-      for (std::size_t k = 0; k < kernels_.count(); ++k)
-        kernels[1 + k] = kernels_.at(k, observers.triangle, at_s[i], at_t[j]);
+      for (std::size_t k = 0; k < kernels_.count(); ++k) {
+        if (cell.seen[k] == Seen::none) continue;
+        const BoundedDouble whole_kernel = kernels_.at(k, observers.triangle, at_s[i], at_t[j]);
+        kernels[1 + k] =
+            cell.seen[k] == Seen::whole ? whole_kernel : BoundedDouble::exactly(0.5) * whole_kernel;
+      }
       const auto t = [&](std::size_t k) {
         return found[k] + (has_xi ? xi[k] * rest : 0) + shifts[k] + (kernels[k].value() - q[k]);
       };
@@ -488,7 +529,12 @@ double ElementCheck::residual_inside(std::size_t element, double tolerance) cons
       observers.s.push_back(place(whole.s0, whole.s1, s));
       observers.t.push_back(place(whole.t0, whole.t1, t));
     }
-  const BallTransport::Values sent = transport_(observers, tolerance, std::nullopt);
+  constexpr double least_mass = 1e-4;
+  const View view = sight_.view(observers.triangle,
+                                {.s0 = whole.s0, .s1 = whole.s1, .t0 = whole.t0, .t1 = whole.t1}, least_mass);
+  const Shade shade = shades_.of(view.shaded);
+  const double of_shade = std::abs(shade.constants[0]) + std::abs(shade.shifts[0]);
+  const BallTransport::Values sent = transport_(observers, tolerance, std::nullopt, &view);
   const LegendreTable p(densities_.degree(), x);
   const double off = densities_.error(element, p, p);
   std::vector<double> q(densities_.stride());
@@ -498,8 +544,12 @@ double ElementCheck::residual_inside(std::size_t element, double tolerance) cons
       Densities::values(densities_.q(element), densities_.stride(), &p.values[i * densities_.powers()],
                         &p.values[j * densities_.powers()], densities_.powers(), q);
       const std::size_t at = i * x.size() + j;
-      const double found = std::abs(sent.values[at * densities_.stride()] - q[0]);
-      most = std::max(most, (found - sent.radii[at] - off) / upward);
+      const double* const values = &sent.values[at * densities_.stride()];
+      const double found =
+          values[0] + shade.constants[0] * (1 - values[densities_.constant()]) + shade.shifts[0] - q[0];
+      const double unknown =
+          sent.radii[at] * (1 + std::abs(shade.constants[0])) + off + shade.radii[0] + 8 * unit * of_shade;
+      most = std::max(most, (std::abs(found) - unknown) / upward);
     }
   return densities_.reflectivity(element) * most;
 }

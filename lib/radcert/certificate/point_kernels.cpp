@@ -6,10 +6,14 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "radcert/certificate/face_polynomial.h"
 #include "radcert/certificate/gauss_rule.h"
+#include "radcert/certificate/occlusion/shade.h"
 #include "radcert/core/contract.h"
+#include "radcert/geometry/plane.h"
 #include "radcert/geometry/plane_polygon.h"
 
 namespace radcert::certificate {
@@ -21,6 +25,14 @@ constexpr double unit = 0x1p-53;
 constexpr double difference_error = 0x1p-44;
 
 double largest_size(const BoundedDouble& x) { return std::abs(x.value()) + x.error(); }
+
+/// From where to where a parameter from 0 to 1 is.
+std::pair<double, double> parameters_about(const BoundedDouble& x) {
+  const double error = x.error();
+  if (error == 0) return {x.value(), x.value()};
+  return {std::max(0.0, std::nextafter(x.value() - error, -infinity)),
+          std::min(1.0, std::nextafter(x.value() + error, infinity))};
+}
 
 /// Where a point of a face lies in one of its triangles, exactly.
 struct Place {
@@ -46,10 +58,85 @@ Place place_in(const Face& face, const Vector<Rational>& p) {
   return {};
 }
 
+/// A side of a face that has a point of it, from there on.
+struct Ray {
+  Vector<Rational> direction;
+  int sign = 1;  ///< the face's side runs along it, or against it
+};
+
+/// Of a point of a face, none where it is inside; nothing of any other.
+std::optional<std::vector<Ray>> rays_at(const Face& face, const Vector<Rational>& p) {
+  const std::vector<Vector<Rational>>& corners = face.corners;
+  const Vector<Rational> normal = normal_of(face);
+  if (dot(normal, p - corners[0]).sign() != 0) return std::nullopt;
+  std::vector<Ray> rays;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Vector<Rational>& from = corners[i];
+    const Vector<Rational>& to = corners[(i + 1) % corners.size()];
+    const int left = dot(normal, cross(to - from, p - from)).sign();
+    if (left < 0) return std::nullopt;
+    if (left > 0) continue;
+    if (!is_zero(to - p)) rays.push_back({to - p, 1});
+    if (!is_zero(from - p)) rays.push_back({from - p, -1});
+  }
+  return rays;
+}
+
+bool have_one_direction(const Vector<Rational>& a, const Vector<Rational>& b) {
+  return is_zero(cross(a, b)) && dot(a, b).sign() > 0;
+}
+
+/// Whether a point of a face has all of the plane about it in faces that are turned alike.
+/// Maths     they have no interior point in common, so that their angles at the point fill the plane about it
+///           where no ray ends them: each bounds one on its left and one on its right
+bool is_inside(const PolyhedronCertificate& c, const Point& point) {
+  const Face& own = c.faces[point.face];
+  if (!rays_at(own, point.at)) return false;
+  std::vector<Ray> rays;
+  for (const Face& face : c.faces)
+    if (have_one_direction(normal_of(own), normal_of(face)))
+      if (const std::optional<std::vector<Ray>> more = rays_at(face, point.at))
+        rays.insert(rays.end(), more->begin(), more->end());
+  return std::all_of(rays.begin(), rays.end(), [&](const Ray& ray) {
+    int sum = 0;
+    for (const Ray& other : rays)
+      if (have_one_direction(ray.direction, other.direction)) sum += other.sign;
+    return sum == 0;
+  });
+}
+
+/// Near T w_0 at point k, in the units of densities.
+/// Maths     F_0 + c_0 (1 - F 1) + shift, as Shade has it
+/// Result    enclosed, and as near as `wanted` where parts that are small enough are seen in part
+Ball sent_to(std::size_t k, const PointKernels& kernels, const BallTransport& transport, const Sight& sight,
+             const Shades& shades, const Densities& densities, double wanted) {
+  constexpr double tolerance = 1e-11;
+  const Observers observers = kernels.observers(k);
+  View view;
+  Shade shade;
+  // With smaller parts there are more of them, and at last too many to be looked into.
+  for (double mass = 0x1p-14;; mass /= 16) {
+    View finer = sight.view(observers.triangle, kernels.box(k), mass);
+    Shade of_finer = shades.of(finer.shaded);
+    if (!shade.radii.empty() && !(of_finer.radii[0] < shade.radii[0])) break;
+    view = std::move(finer);
+    shade = std::move(of_finer);
+    if (shade.radii[0] <= wanted) break;
+  }
+  const BallTransport::Values sent = transport(observers, tolerance, std::nullopt, &view);
+  if (!std::isfinite(sent.radii[0])) return Ball::failed("a point too near to another face");
+  const Ball radius(sent.radii[0]);
+  const Ball rest = Ball(1) - widened(Ball(sent.values[densities.constant()]), radius);
+  return widened(
+      widened(Ball(sent.values[0]), radius) + Ball(shade.constants[0]) * rest + Ball(shade.shifts[0]),
+      Ball(shade.radii[0]));
+}
+
 }  // namespace
 
-PointKernels::PointKernels(const PolyhedronCertificate& c, const Scene& scene, const Densities& densities)
-    : scene_(scene) {
+PointKernels::PointKernels(const PolyhedronCertificate& c, const Scene& scene, const Densities& densities,
+                           const Sight& sight)
+    : scene_(scene), sight_(sight) {
   for (std::size_t k = 0; k < c.points.size(); ++k) {
     const Point& point = c.points[k];
     const Place place = place_in(c.faces[point.face], point.at);
@@ -57,8 +144,11 @@ PointKernels::PointKernels(const PolyhedronCertificate& c, const Scene& scene, c
                        .triangle = scene.triangle(point.face, place.side),
                        .s = bounded(Ball(place.s)),
                        .t = bounded(Ball(place.t)),
+                       .box = {},
                        .at = {},
                        .scale = 0};
+    std::tie(placed.box.s0, placed.box.s1) = parameters_about(placed.s);
+    std::tie(placed.box.t0, placed.box.t1) = parameters_about(placed.t);
     placed.at = scene.triangles()[placed.triangle].point(placed.s.value(), placed.t.value());
     // Lengths are 2^exponent() times those of the scene.
     placed.scale = std::ldexp(std::numbers::inv_pi, -2 * scene.exponent() - densities.exponent(1 + k));
@@ -68,6 +158,12 @@ PointKernels::PointKernels(const PolyhedronCertificate& c, const Scene& scene, c
 
 Observers PointKernels::observers(std::size_t k) const {
   return {.triangle = points_[k].triangle, .s = {points_[k].s}, .t = {points_[k].t}};
+}
+
+std::vector<Seen> PointKernels::seen(const SourcePart& part) const {
+  std::vector<Seen> out;
+  for (const PlacedPoint& point : points_) out.push_back(sight_.seen(point.triangle, point.box, part));
+  return out;
 }
 
 EllipseBounds PointKernels::on_ellipses(std::size_t k, std::size_t triangle, const Box& box,
@@ -87,26 +183,24 @@ EllipseBounds PointKernels::on_ellipses(std::size_t k, std::size_t triangle, con
   return bounds;
 }
 
-PolynomialErrors PointKernels::left(std::size_t triangle, const Box& box, bool in_s) const {
+PolynomialErrors PointKernels::left(std::size_t triangle, const Box& box, bool in_s,
+                                    std::span<const Seen> seen) const {
   PolynomialErrors out{};
   for (std::size_t k = 0; k < points_.size(); ++k) {
+    if (seen[k] == Seen::none) continue;
     const PolynomialErrors own = polynomial_errors(on_ellipses(k, triangle, box, in_s));
     for (std::size_t n = 0; n < out.size(); ++n) out[n] = std::max(out[n], own[n]);
   }
   return out;
 }
 
-double PointKernels::size(std::size_t triangle, const Box& box) const {
-  double most = 0;
+double PointKernels::size(std::size_t k, std::size_t triangle, const Box& box) const {
+  const PlacedPoint& point = points_[k];
   const SideTriangle& own = scene_.triangles()[triangle];
-  const Quadrilateral part(own, scene_.normal(own.face), box);
-  for (const PlacedPoint& point : points_) {
-    if (scene_.coplanar(point.face, own.face)) continue;
-    const double r = part.distance(point.at) - slack;
-    if (!(r > 0)) return infinity;
-    most = std::max(most, point.scale * largest_size(height_over(point, own.face)) / (r * r * r) * upward);
-  }
-  return most;
+  if (scene_.coplanar(point.face, own.face)) return 0;
+  const double r = Quadrilateral(own, scene_.normal(own.face), box).distance(point.at) - slack;
+  if (!(r > 0)) return infinity;
+  return point.scale * largest_size(height_over(point, own.face)) / (r * r * r) * upward;
 }
 
 /// Maths     |P-Q|^-4 is off by 4.1 e/r of its size for r >= 2^10 e, and 8 units by its roundings
@@ -129,16 +223,9 @@ BoundedDouble PointKernels::at(std::size_t k, std::size_t triangle, const Bounde
 
 std::optional<Refusal> points_fault(const PolyhedronCertificate& c) {
   for (std::size_t k = 0; k < c.points.size(); ++k) {
-    const Point& point = c.points[k];
-    const std::vector<Vector<Rational>>& corners = c.faces[point.face].corners;
-    const Vector<Rational> normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
-    bool inside = dot(normal, point.at - corners[0]).sign() == 0;
-    for (std::size_t i = 0; i < corners.size(); ++i)
-      inside =
-          inside &&
-          dot(normal, cross(corners[(i + 1) % corners.size()] - corners[i], point.at - corners[i])).sign() >
-              0;
-    if (!inside) return Refusal{"/problem/points/" + std::to_string(k), "does not lie inside its face"};
+    if (!is_inside(c, c.points[k]))
+      return Refusal{"/problem/points/" + std::to_string(k),
+                     "does not lie inside its face, or between faces of its plane"};
   }
   return std::nullopt;
 }
@@ -148,18 +235,16 @@ std::vector<Ball> values_of(const PolyhedronCertificate& c, const Sums& sums, co
   const Densities densities(c);
   const LineBounds lines(c, scene, densities);
   const BallTransport transport(c, scene, densities, lines);
-  const PointKernels kernels(c, scene, densities);
+  const Sight sight(c, scene);
+  const Shades shades(c, densities);
+  const PointKernels kernels(c, scene, densities, sight);
   std::vector<Ball> out;
   for (std::size_t k = 0; k < c.points.size(); ++k) {
-    constexpr double tolerance = 1e-11;
-    const BallTransport::Values sent = transport(kernels.observers(k), tolerance, std::nullopt);
-    if (!std::isfinite(sent.radii[0])) {
-      out.push_back(Ball::failed("a point too near to another face"));
-      continue;
-    }
-    const Ball of_w =
-        widened(Ball(sent.values[0]), Ball(sent.radii[0])) * power(Ball(2), densities.exponent());
     const Ball radius = Ball(sums.radii[k]) + Ball(sums.norms[0]) * Ball(sums.norms[1 + k]) / gap;
+    constexpr double share = 0.01;
+    const double wanted = share * std::ldexp(radius.to_double(), -densities.exponent());
+    const Ball of_w = sent_to(k, kernels, transport, sight, shades, densities, wanted) *
+                      power(Ball(2), densities.exponent());
     const Face& face = c.faces[c.points[k].face];
     const ParameterPoint<Rational> at =
         coordinates(c.points[k].at - face.corners[0], face.corners[1] - face.corners[0],

@@ -23,6 +23,11 @@ struct Face {
   std::vector<std::vector<Rational>> varying_reflectivity = {};  ///< none: a constant
 };
 
+/// Towards the inside, of any length.
+[[nodiscard]] inline Vector<Rational> normal_of(const Face& face) {
+  return cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]);
+}
+
 /// A part of a face on which the functions are polynomials.
 /// Maths     a + s (1-t) (b-a) + t (c-a), [s0,s1] x [t0,t1], from the side a b of the face to its centre c,
 ///           the mean of its corners: side k runs from corners[k] to the next one
@@ -35,7 +40,7 @@ struct Element {
   double t1 = 1;
 };
 
-/// A point inside a face at which the solution is enclosed.
+/// A point inside a face, or between faces of one plane, at which the solution is enclosed.
 struct Point {
   std::size_t face = 0;
   Vector<Rational> at;
@@ -74,10 +79,10 @@ inline constexpr std::size_t most_distances = 400;
 ///           where the open segment from P to Q meets no face, else 0. q_0, ..., q_n are polynomials on
 ///           elements: q_k = sum c_ij P_i(x) P_j(y), x = (2s - s0 - s1)/(s1 - s0), y alike, P_i Legendre's.
 ///           w_0 = E + rho q_0, t_0 = T w_0 - q_0. Goals are J_k(u) = Int j_k u. Of means: j_k = 1 on piece
-///           k, else 0; w_k = rho (j_k + q_k), t_k = T w_k - q_k. Of values, where V = 1, u(P_k) = E + rho
-///           J_k(u) at P_k: j_k = G(P_k,.)/pi; w_k = rho q_k, t_k = T w_k + j_k - q_k. In both |J_k(u) -
+///           k, else 0; w_k = rho (j_k + q_k), t_k = T w_k - q_k. Of values u(P_k) = E + rho J_k(u) at P_k:
+///           j_k = V G(P_k,.)/pi; w_k = rho q_k, t_k = T w_k + j_k - q_k. In both |J_k(u) -
 ///           J_k(w_0) - Int w_k t_0| <= (Int rho t_0^2)^(1/2) (Int rho t_k^2)^(1/2) / (1 - max rho). Of the
-///           function w_0 itself, where V = 1: no goals, q_0 alone, and function_fault
+///           function w_0 itself: no goals, q_0 alone, and function_fault
 /// Source    lib/radcert/certificate/check.h
 /// Result    plain data; nothing here is known to be true
 struct PolyhedronCertificate {

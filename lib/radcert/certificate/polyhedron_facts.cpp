@@ -17,10 +17,6 @@ namespace {
 
 std::string face_pointer(std::size_t face) { return "/problem/faces/" + std::to_string(face); }
 
-Vector<Rational> normal_of(const Face& face) {
-  return cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]);
-}
-
 /// A point as something that has an order.
 using Key = std::array<Rational, 3>;
 Key key(const Vector<Rational>& p) { return {p.x, p.y, p.z}; }

@@ -140,8 +140,7 @@ Sight::Sight(const PolyhedronCertificate& certificate, const Scene& scene)
     of_face_[certificate.elements[e].face].push_back(e);
   const std::vector<Face>& faces = certificate.faces;
   for (const Face& plane : faces) {
-    const Vector<Rational> normal =
-        cross(plane.corners[1] - plane.corners[0], plane.corners[2] - plane.corners[0]);
+    const Vector<Rational> normal = normal_of(plane);
     for (const Face& face : faces) {
       Signs signs;
       for (const Vector<Rational>& p : face.corners) {
@@ -163,7 +162,7 @@ void Sight::put_screens() {
     for (std::size_t f = 0; f < faces.size(); ++f) has_behind = has_behind || over(f, b).least < 0;
     if (!has_behind) continue;
     const std::vector<Vector<Rational>>& corners = faces[b].corners;
-    const Vector<Rational> normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const Vector<Rational> normal = normal_of(faces[b]);
     Screen screen{.face = b, .sides = corners.size(), .beyond = {}, .signs = {}};
     std::vector<Vector<Rational>> outward;
     std::vector<Ball> sizes;
@@ -277,6 +276,21 @@ private:
   std::vector<std::vector<Slopes>> from_;  ///< by screen before, then behind
   std::vector<Corners> to_;
 };
+
+Seen Sight::seen(std::size_t triangle, const Box& box, const SourcePart& part) const {
+  const Element& x = certificate_.elements[part.element];
+  const std::size_t own = scene_.triangles()[triangle].face;
+  if (!face_each_other(own, x.face)) return Seen::none;
+  if (is_open()) return Seen::whole;
+  if (pair(own, x.face).is_hidden) return Seen::none;
+  if (pair(own, x.face).before.empty()) return Seen::whole;
+  switch (Look(*this, triangle, box, x.face).at(scene_.triangle(x.face, x.side), part.box)) {
+    case Hides::nothing: return Seen::whole;
+    case Hides::all: return Seen::none;
+    case Hides::something: break;
+  }
+  return Seen::partly;
+}
 
 View Sight::view(std::size_t triangle, const Box& box, double least_mass) const {
   View out;

@@ -35,6 +35,9 @@ struct View {
   std::vector<ShadedPart> shaded;
 };
 
+/// How much points see of a part: nothing, any share, all of it, but for null sets.
+enum class Seen { none, partly, whole };
+
 /// What points of faces see of other ones, where faces are the boundary of a body (solid_fault).
 /// Maths     a screen is a face B with the unit normal n at a; d(x) = n.(x-a), and g_e(x) <= 0 on the inner
 ///           side of its side e. X and Y lie on different sides of its plane: the segment from p in X to q in
@@ -69,6 +72,8 @@ public:
   }
 
   [[nodiscard]] View view(std::size_t triangle, const Box& box, double least_mass) const;
+  /// How much all points of a box see of one part.
+  [[nodiscard]] Seen seen(std::size_t triangle, const Box& box, const SourcePart& part) const;
 
 private:
   /// The least and the largest sign at the corners of a face.

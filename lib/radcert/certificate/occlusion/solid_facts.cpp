@@ -21,10 +21,6 @@ namespace {
 
 std::string face_pointer(std::size_t face) { return "/problem/faces/" + std::to_string(face); }
 
-Vector<Rational> normal_of(const Face& face) {
-  return cross(face.corners[1] - face.corners[0], face.corners[2] - face.corners[0]);
-}
-
 /// The least and the largest sign of points over a plane.
 struct Signs {
   int least = 1;

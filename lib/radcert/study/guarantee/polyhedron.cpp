@@ -270,17 +270,14 @@ PanelEmissions emissions_on(const std::vector<Panel>& panels, const PiecewiseExp
 /// A problem whose emission is polynomials, and how far its solution may be from that of the problem asked.
 struct NearProblem {
   PolyhedronProblem polyhedron;
-  double distance = 0;              ///< at least sup |u - the solution of this problem|
-  bool edges_were_matched = false;  ///< before with_edges_matched
+  double distance = 0;  ///< at least sup |u - the solution of this problem|
 };
 
 /// Maths     u - u_p = (I - K)^-1 (E - E_p), and the norm of (I - K)^-1 in C(S) is at most 1/(1 - sup rho)
 NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, const Guarantee& guarantee) {
   PolyhedronProblem out;
   put_panels(out, problem, surface);
-  const std::size_t faces = out.panels.size();
   if (guarantee.of != EnclosedQuantity::values) out.panels = with_edges_matched(std::move(out.panels));
-  const bool edges_were_matched = out.panels.size() == faces;
   out.reflectivity = reflectivities(problem, surface, out.panels);
   const std::vector<std::string> names = surface.piece_names();
   PanelEmissions own = emissions_on(out.panels, *problem.emission, names, "/emission");
@@ -317,7 +314,7 @@ NearProblem polyhedron_problem(const Problem& problem, const Surface& surface, c
                                  "those that were found near it leave " +
                                  upper_text(distance) + " of the solution unknown",
                       .allowed = "widths of four times that or more, or a polynomial on each piece"});
-  return {.polyhedron = std::move(out), .distance = distance, .edges_were_matched = edges_were_matched};
+  return {.polyhedron = std::move(out), .distance = distance};
 }
 
 /// Whether a point of a panel is nearer to the line of one of its sides than a thousandth of the side's
@@ -462,10 +459,6 @@ public:
   [[nodiscard]] std::vector<std::string> certificate_hindrances() const override {
     std::vector<std::string> out;
     if (near_.distance != 0) out.emplace_back("an emission is no polynomial of degree 8 or less");
-    if (!near_.polyhedron.blockers.empty() && guarantee_.of != EnclosedQuantity::means)
-      out.emplace_back("parts of the surface hide each other, where certificates are of means");
-    if (!near_.edges_were_matched && guarantee_.of == EnclosedQuantity::function)
-      out.emplace_back("the two sides of an edge have not the same ends, where certificates are of means");
     return out;
   }
   [[nodiscard]] CertifiedSolution certified(const GuaranteeContext& context) const override {
