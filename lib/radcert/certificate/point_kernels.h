@@ -20,11 +20,11 @@ namespace radcert::certificate {
 /// The kernels j_k = V G(P_k,.)/pi of a certificate of values, in the units of Scene and Densities; of means
 /// none.
 /// Maths     on a box of which P_k sees nothing j_k = 0; of which it sees a part, j_k is from 0 to G/pi, and
-///           half of that is within half of it. G(P,Q) = [n_P.(Q-P)] [n_Q.(P-Q)] / |P-Q|^4, the height of Q over
-///           the plane of P and that of P over the plane of Q; 0 where both are one plane. On the line m + z e of Q's, z in the ellipse
-///           with half axes A and B, a = A |e|, r = |P-m| > a: (P-Q).(P-Q) has two conjugate zeros in z and
-///           is at least (r-a)^2 in size, the height of Q is r + a at most, and that of P stays: |G| <= (r+a)
-///           h/(r-a)^4, which falls with r. For real Q it is at most h/|P-Q|^3
+///           half of that is within half of it. G(P,Q) = [n_P.(Q-P)] [n_Q.(P-Q)] / |P-Q|^4, the height of Q
+///           over the plane of P and that of P over the plane of Q; 0 where both are one plane. On the line m
+///           + z e of Q's, z in the ellipse with half axes A and B, a = A |e|, r = |P-m| > a: (P-Q).(P-Q) has
+///           two conjugate zeros in z and is at least (r-a)^2 in size, the height of Q is r + a at most, and
+///           that of P stays: |G| <= (r+a) h/(r-a)^4, which falls with r. For real Q it is at most h/|P-Q|^3
 /// Requires  surface_fault, points_fault, tiling_fault found nothing; scene, densities and sight outlive it
 /// Result    bounds rounded up; infinite where nothing is known
 class PointKernels {
