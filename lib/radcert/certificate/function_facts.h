@@ -11,14 +11,15 @@ namespace radcert::certificate {
 
 /// T 1_B(a), B(a) the points of the surface within a of a corner of a face.
 /// Maths     rays from P that end within a of a vertex V, whatever they pass, have directions in the cone of
-///           the ball of radius a about V, D = |P-V|, sin alpha = a/D, so that Int cos/pi over the cone before
-///           the face of P bounds what they bring. V in the plane of P: half of the cone, which orthogonal projection takes
-///           to the part x >= cos alpha of the unit disk: phi(a/D) = (alpha - sin alpha cos alpha)/pi, 1/2
-///           for a = D; where a > D P is in the ball, rays of all directions may end there, and phi = 1. V
-///           not in it, at the height H: D >= H, and of all sets of directions of that size the cone about
-///           the normal has the largest integral: sin^2 alpha <= (a/H)^2. One vertex at most is nearer to P
-///           than half the least distance h of two vertices, so that in a plane with n of them P at the
-///           distance d or more from all gets phi(a/d) + (n-1) phi(2a/max(2d,h)) at most, and sum (a/H)^2
+///           the ball of radius a about V, D = |P-V|, sin alpha = a/D, so that Int cos/pi over the cone
+///           before the face of P bounds what they bring. V in the plane of P: half of the cone, which
+///           orthogonal projection takes to the part x >= cos alpha of the unit disk: phi(a/D) = (alpha - sin
+///           alpha cos alpha)/pi, 1/2 for a = D; where a > D P is in the ball, rays of all directions may end
+///           there, and phi = 1. V not in it, at the height H: D >= H, and of all sets of directions of that
+///           size the cone about the normal has the largest integral: sin^2 alpha <= (a/H)^2. One vertex at
+///           most is nearer to P than half the least distance h of two vertices, so that in a plane with n of
+///           them P at the distance d or more from all gets phi(a/d) + (n-1) phi(2a/max(2d,h)) at most, and
+///           sum (a/H)^2
 /// Requires  surface_fault found nothing
 class VertexMass {
 public:
