@@ -117,7 +117,7 @@ class Solve(ProgramTest):
         words = ("solve", self.write("lit.json", problem))
         self.expect(0, *words, "--guarantee", "0.4", "--of", "values", "--at", "0.75,1.2,0", "--certificate", "value.json")
         self.assertIn("values of u  3/4,6/5,0 0.0019 +-", self.expect(0, "check", "value.json", "--part", "30"))
-        self.expect(0, *words, "--guarantee", "2", "--of", "function", "--outside", "0.3", "--certificate", "u.json")
+        self.expect(0, *words, "--guarantee", "3", "--of", "function", "--outside", "0.3", "--certificate", "u.json")
         self.assertIn("of the function, 3/10 or more from every corner of a face",
                       self.expect(0, "check", "u.json", "--part", "30"))
 

@@ -422,8 +422,13 @@ ExitCode enclose(const Common& common, const SolveOptions& options, const Output
   if (!options.nodes.empty()) files.emplace_back(options.nodes, enclosure_csv(*result.enclosure));
   print_solved(common, outputs, problem, enclosure_table(*result.enclosure), json, std::move(files));
   if (hindrance.empty()) return ExitCode::done;
-  complain("the width " + upper_text(result.enclosure->width) + " and not " +
-           upper_text(result.enclosure->wanted.width) + " is reached: " + hindrance);
+  const double width = result.enclosure->width;
+  const Rational& wanted = result.enclosure->wanted.width;
+  // What is wanted is reached where it is the certificate that is wider.
+  complain("the width " + upper_text(width) +
+           (Rational::exactly(width) <= wanted ? " is reached, but "
+                                               : " and not " + upper_text(wanted) + " is reached: ") +
+           hindrance);
   return ExitCode::differs;
 }
 

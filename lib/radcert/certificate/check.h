@@ -27,9 +27,9 @@ struct Summed {
 /// Checks a certificate, by means that share no function with the search that made it.
 /// Maths     surface_fault, reflectivity_fault, points_fault, tiling_fault; of the elements that are looked
 ///           at, the claims by ElementCheck; the stated sums are those of the claims or wider, the means or
-///           values those of summed or wider, the width is no less than twice the largest radius; of a function
-///           function_fault. All claims together prove the means, values or bounds. Where parts hide each
-///           other T w is enclosed on cells of elements from what all points of a cell see for certain
+///           values those of summed or wider, the width is no less than twice the largest radius; of a
+///           function function_fault. All claims together prove the means, values or bounds. Where parts hide
+///           each other T w is enclosed on cells of elements from what all points of a cell see for certain
 ///           (Sight); what some of them may not see is closed by T 1 = 1 with constants near w there, and
 ///           bounded (Shade)
 /// Requires  lists of the lengths that PolyhedronCertificate states, finite numbers

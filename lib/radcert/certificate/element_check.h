@@ -59,8 +59,8 @@ struct Allowance {
 ///           Largest values: |If - q| by cell_supremum, and with L_n = interpolation_norm(n) |f - If| <= |f -
 ///           I_s f| + |I_s (f - I_t f)| <= (1 + L_s) e_s + L_s (1 + L_t) e_t
 ///           Where parts hide each other f is the F of Shade, of what all of the cell sees (Sight); |T w_k -
-///           f| <= d_k adds |X|^(1/2) d_k and |X| sup|w_k| d_0, to largest values d_0. Half of G/pi stands for
-///           j_k where P_k sees a part of the cell, and half of sup G/pi is added to d_k alone
+///           f| <= d_k adds |X|^(1/2) d_k and |X| sup|w_k| d_0, to largest values d_0. Half of G/pi stands
+///           for j_k where P_k sees a part of the cell, and half of sup G/pi is added to d_k alone
 /// Source    ours; theorem I of the layer continuous says the same, of which no line is used here
 class ElementCheck {
 public:

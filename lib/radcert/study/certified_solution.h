@@ -18,7 +18,7 @@ struct CertifiedSolution {
 /// Encloses the means of u over the pieces, its values at points or, on an ellipsoid, u itself, and keeps
 /// what proves it for certificate::check.
 /// Maths     solve_within for three quarters of the width, and polyhedron_certificate or
-///           ellipsoid_certificate
+///           ellipsoid_certificate; on a polyhedron, where that is wider than asked for, both for less
 /// Requires  what check_guarantee lets pass, and nothing that stands in the way of a certificate, else
 ///           InputError
 /// Result    as solve_within; where the certificate is wider than the width, the enclosure says so

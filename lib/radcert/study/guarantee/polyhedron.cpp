@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
+#include <variant>
 
 #include "radcert/collocation/certified/plane_chart.h"
 #include "radcert/continuous/function_enclosure.h"
@@ -461,21 +463,21 @@ public:
     if (near_.distance != 0) out.emplace_back("an emission is no polynomial of degree 8 or less");
     return out;
   }
+  /// A certificate may be wider than what it is of: then there is another search, which aims at less.
   [[nodiscard]] CertifiedSolution certified(const GuaranteeContext& context) const override {
-    const double aim = certified_share * wanted();
-    if (guarantee_.of == EnclosedQuantity::function) return certified_function(aim, told(context));
-    const bool of_values = guarantee_.of == EnclosedQuantity::values;
-    const GoalEnclosure found = of_values
-                                    ? enclose_values(near_.polyhedron, points_, aim, told(context), true)
-                                    : enclose_means(near_.polyhedron, aim, told(context), true);
-    auto [level, enclosure] = result_of(found, of_values);
-    certificate::PolyhedronCertificate certificate =
-        polyhedron_certificate(near_.polyhedron, certified_names(), found.proof.get(), points_);
-    const Rational width = certificate.width;
-    CertifiedSolution out{
-        .level = std::move(level), .enclosure = std::move(enclosure), .certificate = std::move(certificate)};
-    say_width_of_certificate(width, guarantee_, out.enclosure);
-    return out;
+    constexpr int most_searches = 3;
+    double aim = certified_share * wanted();
+    for (int n = 1;; ++n) {
+      CertifiedSolution out = guarantee_.of == EnclosedQuantity::function
+                                  ? certified_function(aim, told(context))
+                                  : certified_numbers(aim, told(context));
+      const Rational& width = std::get<certificate::PolyhedronCertificate>(out.certificate).width;
+      if (width <= guarantee_.width || !out.enclosure.hindrance.empty() || n == most_searches) {
+        say_width_of_certificate(width, guarantee_, out.enclosure);
+        return out;
+      }
+      aim *= 0.9 * (guarantee_.width / width).to_double();
+    }
   }
 
 private:
@@ -574,17 +576,25 @@ private:
     return {std::move(level), std::move(enclosure)};
   }
 
+  [[nodiscard]] CertifiedSolution certified_numbers(double wanted, const SearchContext& context) const {
+    const bool of_values = guarantee_.of == EnclosedQuantity::values;
+    const GoalEnclosure found = of_values ? enclose_values(near_.polyhedron, points_, wanted, context, true)
+                                          : enclose_means(near_.polyhedron, wanted, context, true);
+    auto [level, enclosure] = result_of(found, of_values);
+    return {.level = std::move(level),
+            .enclosure = std::move(enclosure),
+            .certificate =
+                polyhedron_certificate(near_.polyhedron, certified_names(), found.proof.get(), points_)};
+  }
+
   [[nodiscard]] CertifiedSolution certified_function(double wanted, const SearchContext& context) const {
     const FunctionEnclosure found = enclose_function(near_.polyhedron, wanted, outside_, context, true);
     auto [level, enclosure] = function_result(found);
-    certificate::PolyhedronCertificate certificate =
-        polyhedron_certificate(near_.polyhedron, certified_names(), *found.proof, guarantee_.width,
-                               guarantee_.outside.value_or(short_decimal(outside_)));
-    const Rational width = certificate.width;
-    CertifiedSolution out{
-        .level = std::move(level), .enclosure = std::move(enclosure), .certificate = std::move(certificate)};
-    say_width_of_certificate(width, guarantee_, out.enclosure);
-    return out;
+    return {.level = std::move(level),
+            .enclosure = std::move(enclosure),
+            .certificate =
+                polyhedron_certificate(near_.polyhedron, certified_names(), *found.proof, guarantee_.width,
+                                       guarantee_.outside.value_or(short_decimal(outside_)))};
   }
 
   [[nodiscard]] std::pair<LevelResult, SolutionEnclosure> function_result(
