@@ -135,15 +135,20 @@ inline Vector<double> unit_normal(const certificate::PolyhedronCertificate& c, s
   return {n.x.to_double() / size, n.y.to_double() / size, n.z.to_double() / size};
 }
 
-/// G(P,Q)/pi for P of one face and Q of another, by their exact corners; 0 behind either.
+/// G(P,Q)/pi, 0 behind either plane.
+inline double kernel_between(const Vector<double>& p, const Vector<double>& normal, const Vector<double>& q,
+                             const Vector<double>& other) {
+  const Vector<double> way = q - p;
+  const double before = dot(normal, way);
+  const double behind = -dot(other, way);
+  const double squared = dot(way, way);
+  return before > 0 && behind > 0 ? before * behind / (squared * squared * 3.14159265358979323846) : 0;
+}
+
+/// The same for P of one face and Q of another, by their exact corners.
 inline double point_kernel(const certificate::PolyhedronCertificate& c, const certificate::Point& point,
                            std::size_t face, const Vector<double>& q) {
-  const Vector<double> way = q - rounded(point.at);
-  const double before = dot(unit_normal(c, point.face), way);
-  const double behind = -dot(unit_normal(c, face), way);
-  if (before <= 0 || behind <= 0) return 0;
-  const double squared = dot(way, way);
-  return before * behind / (squared * squared * 3.14159265358979323846);
+  return kernel_between(rounded(point.at), unit_normal(c, point.face), q, unit_normal(c, face));
 }
 
 /// G(P,Q)/pi at Q = m + z e.
@@ -175,6 +180,12 @@ inline double kernel_norm(const certificate::PolyhedronCertificate& c, const cer
                           const certificate::Element& x, double less = 0) {
   const certificate::GaussRule& rule = certificate::gauss_rule(16);
   const Segments segments(c);
+  const Vector<double> p = rounded(point.at);
+  const Vector<double> normal = unit_normal(c, point.face);
+  const Vector<double> other = unit_normal(c, x.face);
+  const Vector<double> a = element_point(c, x, 0, 0);
+  const Vector<double> b = element_point(c, x, 1, 0);
+  const Vector<double> centre = element_point(c, x, 0, 1);
   double sum = 0;
   double whole = 0;
   for (std::size_t m = 0; m < 16; ++m)
@@ -182,9 +193,8 @@ inline double kernel_norm(const certificate::PolyhedronCertificate& c, const cer
       const double t = 0.5 * (x.t0 + x.t1) + 0.5 * (x.t1 - x.t0) * rule.near_nodes[l];
       const double s = 0.5 * (x.s0 + x.s1) + 0.5 * (x.s1 - x.s0) * rule.near_nodes[m];
       const double weight = rule.near_weights[m] * rule.near_weights[l] * (1 - t);
-      const Vector<double> q = element_point(c, x, s, t);
-      double j = point_kernel(c, point, x.face, q);
-      if (j > 0 && segments.hidden(rounded(point.at), q) > 0) j = 0;
+      const Vector<double> q = (1 - t) * ((1 - s) * a + s * b) + t * centre;
+      const double j = segments.hidden(p, q) > 0 ? 0 : kernel_between(p, normal, q, other);
       sum += weight * (j - less) * (j - less);
       whole += weight;
     }
