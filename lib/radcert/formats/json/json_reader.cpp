@@ -10,11 +10,12 @@ namespace radcert {
 
 namespace {
 
-/// What stands at a place, for a message.
-std::string shown(const JsonValue& value) {
+/// What stands at a place, for a message; nothing where that is long.
+std::optional<std::string> shown(const JsonValue& value) {
   if (value.members() != nullptr || value.elements() != nullptr) {
-    const std::string text = value.compact();
-    return text.size() <= 60 ? text : value.kind();
+    std::string text = value.compact();
+    if (text.size() > 60) return std::nullopt;
+    return text;
   }
   if (value.string() != nullptr) return *value.string();
   return value.compact();
