@@ -269,7 +269,7 @@ TEST(CertificateAttack, FalseClaimsOfValuesAreRefused) {
 /// A function that is a constant on each element, near the ones of a furnace, as a certificate with one claim
 /// that may be false.
 /// Maths     E = 1 - rho, q_0 = 1 - d_e on the element e: w_0 = 1 - rho d_e, |u - w_0| = rho d_e, and T w_0
-///           by closed forms at points. Claims are so many times the largest residual that was found; at
+///           by closed forms at points; where parts hide each other all d_e are one, T w_0 = w_0. Claims are so many times the largest residual that was found; at
 ///           vertices, where none is known, |t_0| <= sup|w_0| + sup|q_0|
 struct FunctionInstance {
   Instance scene;
@@ -281,7 +281,7 @@ std::string text_of_function(const FunctionInstance& x) {
 }
 
 FunctionInstance drawn_function(Draw& draw) {
-  FunctionInstance x{.scene = drawn_of(draw, 4)};
+  FunctionInstance x{.scene = drawn_of(draw, 6)};
   x.scene.map = SkewMap::drawn(draw, 60, 80, 30);
   x.scene.size = 1;
   x.scene.norm = draw.below(2) == 0 ? 1.6 : 1 - std::pow(10.0, -3 + 2 * draw.unit());
@@ -299,7 +299,9 @@ Judgement judge_function(const FunctionInstance& x) {
   }
   Draw draw(x.seed);
   std::vector<double> d;
-  for (std::size_t e = 0; e < c.elements.size(); ++e) d.push_back(x.scene.d * (1 + 0.2 * draw.unit()));
+  const bool is_room = !test::room_of(x.scene.surface).empty();
+  for (std::size_t e = 0; e < c.elements.size(); ++e)
+    d.push_back(x.scene.d * (1 + (is_room ? 0 : 0.2 * draw.unit())));
   c.coefficients.clear();
   for (const double own : d) c.coefficients.push_back(1 - own);
   c.by_distance = {{1, 0}, {Rational(1, 2), 0}, {Rational(1, 4), 0}, {Rational(1, 8), 0}, {0, 0}};
@@ -309,6 +311,7 @@ Judgement judge_function(const FunctionInstance& x) {
   std::size_t element = chosen;
   while (at_vertex(c.elements[element])) element = (element + 1) % c.elements.size();
   const auto residual = [&](std::size_t e, double s, double t) {
+    if (is_room) return rho.to_double() * (1 - rho.to_double()) * d[e];
     const certificate::Element& y = c.elements[e];
     const Rational at_s = Rational::exactly(y.s0 + (y.s1 - y.s0) * s);
     const Rational at_t = Rational::exactly(y.t0 + (y.t1 - y.t0) * t);
