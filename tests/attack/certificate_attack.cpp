@@ -269,8 +269,9 @@ TEST(CertificateAttack, FalseClaimsOfValuesAreRefused) {
 /// A function that is a constant on each element, near the ones of a furnace, as a certificate with one claim
 /// that may be false.
 /// Maths     E = 1 - rho, q_0 = 1 - d_e on the element e: w_0 = 1 - rho d_e, |u - w_0| = rho d_e, and T w_0
-///           by closed forms at points; where parts hide each other all d_e are one, T w_0 = w_0. Claims are so many times the largest residual that was found; at
-///           vertices, where none is known, |t_0| <= sup|w_0| + sup|q_0|
+///           by closed forms at points; where parts hide each other all d_e are one, T w_0 = w_0. Claims are
+///           so many times the largest residual that was found; at vertices, where none is known, |t_0| <=
+///           sup|w_0| + sup|q_0|
 struct FunctionInstance {
   Instance scene;
   std::uint64_t seed = 0;
