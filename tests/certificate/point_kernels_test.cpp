@@ -185,6 +185,17 @@ TEST(PointKernels, AreOfPointsBetweenFacesOfOnePlane) {
     EXPECT_EQ(is_inside(other, 3), 0);
   }
   EXPECT_EQ(is_inside(4, 1), 0);
+  // Where a corner of another face touches the floor.
+  for (const Vector<Rational>& at :
+       {Vector<Rational>{half, third, 0}, Vector<Rational>{1, third, 0}, Vector<Rational>{1, 2, 0}}) {
+    c.faces.push_back(c.faces.front());
+    c.faces.back().corners = {at, at + Vector<Rational>{1, 0, 1}, at + Vector<Rational>{0, 1, 1}};
+    EXPECT_EQ(is_inside(at.x, at.y), 0);
+    // A face that looks the other way.
+    c.faces.back().corners = {at, at + Vector<Rational>{0, 1, 0}, at + Vector<Rational>{1, 0, 0}};
+    EXPECT_EQ(is_inside(at.x, at.y), 0);
+    c.faces.pop_back();
+  }
 }
 
 }  // namespace

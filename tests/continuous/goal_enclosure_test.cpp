@@ -757,6 +757,14 @@ TEST(PanelAbout, IsAPartOfAFaceButNotOfItsEdges) {
   for (std::size_t i = 0; i < 4; ++i)
     star.push_back(test::panel_with(0, {middle, ends[i], ends[(i + 1) % 4]}));
   EXPECT_EQ(panel_about(star, middle), 0U);
+  // A corner of another plane touches them there, or stands inside one of them.
+  for (const Vector<Rational>& at : {middle, Vector<Rational>{Rational(1, 4), Rational(1, 4), 0}}) {
+    std::vector<Panel> touched = star;
+    touched.push_back(
+        test::panel_with(0, {at, at + Vector<Rational>{1, 0, 1}, at + Vector<Rational>{0, 1, 1}}));
+    EXPECT_LT(panel_about(star, at), star.size());
+    EXPECT_EQ(panel_about(touched, at), touched.size());
+  }
   EXPECT_EQ(panel_about({star[0], star[1], star[2]}, middle), 3U);
   star[3].piece = 1;
   EXPECT_EQ(panel_about(star, middle), 4U);

@@ -58,51 +58,33 @@ Place place_in(const Face& face, const Vector<Rational>& p) {
   return {};
 }
 
-/// A side of a face that has a point of it, from there on.
-struct Ray {
-  Vector<Rational> direction;
-  int sign = 1;  ///< the face's side runs along it, or against it
-};
-
-/// Of a point of a face, none where it is inside; nothing of any other.
-std::optional<std::vector<Ray>> rays_at(const Face& face, const Vector<Rational>& p) {
+/// Whether a point lies on a face or its border.
+bool lies_on(const Face& face, const Vector<Rational>& p) {
   const std::vector<Vector<Rational>>& corners = face.corners;
   const Vector<Rational> normal = normal_of(face);
-  if (dot(normal, p - corners[0]).sign() != 0) return std::nullopt;
-  std::vector<Ray> rays;
+  if (dot(normal, p - corners[0]).sign() != 0) return false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector<Rational>& from = corners[i];
-    const Vector<Rational>& to = corners[(i + 1) % corners.size()];
-    const int left = dot(normal, cross(to - from, p - from)).sign();
-    if (left < 0) return std::nullopt;
-    if (left > 0) continue;
-    if (!is_zero(to - p)) rays.push_back({to - p, 1});
-    if (!is_zero(from - p)) rays.push_back({from - p, -1});
+    const Vector<Rational> side = corners[(i + 1) % corners.size()] - corners[i];
+    if (dot(normal, cross(side, p - corners[i])).sign() < 0) return false;
   }
-  return rays;
+  return true;
 }
 
-bool have_one_direction(const Vector<Rational>& a, const Vector<Rational>& b) {
-  return is_zero(cross(a, b)) && dot(a, b).sign() > 0;
+/// Whether two faces of one plane are turned to one side of it.
+bool are_turned_alike(const Face& face, const Face& other) {
+  return is_zero(cross(normal_of(face), normal_of(other))) &&
+         dot(normal_of(face), normal_of(other)).sign() > 0;
 }
 
-/// Whether a point of a face has all of the plane about it in faces that are turned alike.
-/// Maths     they have no interior point in common, so that their angles at the point fill the plane about it
-///           where no ray ends them: each bounds one on its left and one on its right
+/// Whether a point of a face has all of the plane about it in faces that are turned alike, and is on no other.
+/// Maths     the surface is closed: a side of a face that none of its plane goes on beyond is one of another
+///           face too, on which a point of it is. Where another face touches at the point alone T 1 < 1:
+///           directions that start behind it bring nothing
 bool is_inside(const PolyhedronCertificate& c, const Point& point) {
   const Face& own = c.faces[point.face];
-  if (!rays_at(own, point.at)) return false;
-  std::vector<Ray> rays;
-  for (const Face& face : c.faces)
-    if (have_one_direction(normal_of(own), normal_of(face)))
-      if (const std::optional<std::vector<Ray>> more = rays_at(face, point.at))
-        rays.insert(rays.end(), more->begin(), more->end());
-  return std::all_of(rays.begin(), rays.end(), [&](const Ray& ray) {
-    int sum = 0;
-    for (const Ray& other : rays)
-      if (have_one_direction(ray.direction, other.direction)) sum += other.sign;
-    return sum == 0;
-  });
+  return lies_on(own, point.at) && std::all_of(c.faces.begin(), c.faces.end(), [&](const Face& face) {
+           return !lies_on(face, point.at) || are_turned_alike(own, face);
+         });
 }
 
 /// Near T w_0 at point k, in the units of densities.

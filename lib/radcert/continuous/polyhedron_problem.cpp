@@ -140,8 +140,13 @@ std::size_t panel_inside(const std::vector<Panel>& panels, const Vector<Rational
 std::size_t panel_about(const std::vector<Panel>& panels, const Vector<Rational>& p) {
   for (std::size_t k = 0; k < panels.size(); ++k) {
     const int least = least_side(panels[k], p);
-    if (least > 0) return k;
     if (least < 0) continue;
+    const bool is_touched = std::any_of(panels.begin(), panels.end(), [&](const Panel& other) {
+      return least_side(other, p) >= 0 && !(cross(other.normal, panels[k].normal) == Vector<Rational>{} &&
+                                            dot(other.normal, panels[k].normal).sign() > 0);
+    });
+    if (is_touched) return panels.size();
+    if (least > 0) return k;
     std::vector<PanelAngle> angles;
     for (const Panel& other : panels)
       if (other.piece == panels[k].piece && dot(other.normal, panels[k].normal).sign() > 0 &&

@@ -50,11 +50,13 @@ struct SolutionPoint {
 /// Result    exact; panels.size() where there is none: the point is off the surface or on an edge
 [[nodiscard]] std::size_t panel_inside(const std::vector<Panel>& panels, const Vector<Rational>& p);
 
-/// A panel on which a point lies that has a neighbourhood in the panels of one plane, piece and side.
+/// A panel on which a point lies that has a neighbourhood in the panels of one plane, piece and side, and is
+/// on no other panel: where one touches them at the point alone T 1 < 1 there.
 /// Maths     from the point a panel fills an angle of their plane; the angles are no more than 2 pi in all,
 ///           and fill it where each ends at the ray at which another begins
 /// Requires  panels that do not overlap
-/// Result    exact, the first; panels.size() where there is none: the point is off the surface or on an edge
+/// Result    exact, the first; panels.size() where there is none: the point is off the surface, on an edge
+///           or where another panel touches
 [[nodiscard]] std::size_t panel_about(const std::vector<Panel>& panels, const Vector<Rational>& p);
 
 /// Polynomials of the panels' planes, on elements.

@@ -376,7 +376,7 @@ std::vector<SolutionPoint> points_on_parts(const Guarantee& guarantee, const std
     const std::size_t part = panel_about(parts, point);
     if (part == parts.size())
       refuse_point(k, point, "does not lie inside a face of the surface",
-                   "a point of a face that is on none of its edges, exactly");
+                   "a point of a face that is on none of its edges, nor on another face, exactly");
     if (is_near_an_edge(parts, part, point))
       refuse_point(k, point, "is too near to an edge of its face",
                    "points further from each edge than a thousandth of its length");
