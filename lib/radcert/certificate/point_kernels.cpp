@@ -76,7 +76,7 @@ bool are_turned_alike(const Face& face, const Face& other) {
          dot(normal_of(face), normal_of(other)).sign() > 0;
 }
 
-/// Whether a point of a face has all of the plane about it in faces that are turned alike, and is on no other.
+/// Whether a point of a face has all of the plane about it in faces that are turned alike and is on no other.
 /// Maths     the surface is closed: a side of a face that none of its plane goes on beyond is one of another
 ///           face too, on which a point of it is. Where another face touches at the point alone T 1 < 1:
 ///           directions that start behind it bring nothing
